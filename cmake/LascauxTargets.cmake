@@ -1,0 +1,37 @@
+# One function for each kind of target.
+
+set(LASCAUX_WARNINGS -Wall -Wextra -Wshadow -Wconversion -Werror)
+
+function(lascaux_compile_options target)
+  target_compile_options(${target} PRIVATE ${LASCAUX_WARNINGS})
+  if(LASCAUX_SANITIZE)
+    target_compile_options(${target} PUBLIC -fsanitize=${LASCAUX_SANITIZE} -fno-omit-frame-pointer)
+    target_link_options(${target} PUBLIC -fsanitize=${LASCAUX_SANITIZE})
+  endif()
+endfunction()
+
+# lascaux_add_module(sketch SOURCES a.cpp b.cpp LINK lascaux_base PRIVATE_LINK pugixml): a static library lascaux_sketch.
+function(lascaux_add_module name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+  set(target lascaux_${name})
+  add_library(${target} STATIC ${ARG_SOURCES})
+  add_library(lascaux::${name} ALIAS ${target})
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+                                              $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src)
+  target_link_libraries(${target} PUBLIC ${ARG_LINK} PRIVATE ${ARG_PRIVATE_LINK})
+  lascaux_compile_options(${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  set_property(GLOBAL APPEND PROPERTY LASCAUX_MODULES ${target})
+endfunction()
+
+# lascaux_add_test(sketch SOURCES a_test.cpp LINK lascaux_sketch): one program test_sketch, each of its tests known to ctest.
+function(lascaux_add_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  set(target test_${name})
+  add_executable(${target} ${ARG_SOURCES})
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/tests)
+  target_link_libraries(${target} PRIVATE ${ARG_LINK} GTest::gtest_main)
+  lascaux_compile_options(${target})
+  add_test(NAME ${name} COMMAND ${target})
+endfunction()

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lascaux/base/execution.h"
+#include "lascaux/base/outcome.h"
+#include "lascaux/sketch/parts.h"
+
+/// @file
+/// Which part is the body, which are pairs, and which lies over which.
+///
+/// Source: Entem et al. 2015, sections 5.1 and 5.2.
+
+namespace lascaux {
+
+/// How many of a part are built: the body and sagittal parts one in the plane; foreground parts and islands two, the drawn
+/// one and its mirror image; background parts none of their own. kNone: ignored (a fold line's crumb, a void).
+enum class PartRole : std::uint8_t { kBody, kForeground, kBackground, kSagittal, kIsland, kIgnored };
+
+/// A part's relation to its parent.
+enum class Relation : std::uint8_t { kNone, kOver, kUnder, kAdjacent, kOverIn };
+
+/// One node of the depth graph; node i belongs to Parts::parts[i].
+struct DepthNode {
+  PartRole role = PartRole::kSagittal;
+  std::optional<int> parent;  ///< the part that it is placed by; none for the body and ignored parts
+  Relation relation = Relation::kNone;
+  std::optional<int> pair;  ///< foreground: one drawn far part, if any; background: its near partner
+  std::string name;         ///< "body", "limb-1", "limb-1-far", "eye-6", "part-5": unique
+
+  bool operator==(const DepthNode&) const = default;
+};
+
+/// The depth graph: a tree towards the body, plus pairs. `order` lists the parts so that parents come first.
+struct DepthGraph {
+  std::vector<DepthNode> nodes;
+  int body = 0;
+  double body_margin = 0;  ///< score of the body over the next best candidate, relative, 0 to 1
+  std::vector<int> order;
+
+  bool operator==(const DepthGraph&) const = default;
+};
+
+struct OrderByDepthOptions {
+  std::optional<Eigen::Vector2d> body;  ///< a point in the torso, in sketch units, when the automatic choice is wrong
+
+  bool operator==(const OrderByDepthOptions&) const = default;
+};
+
+/// Finds the body, the pairs and the relations between parts.
+Outcome<DepthGraph> OrderByDepth(const PlanarMap& map, const Parts& parts, const OrderByDepthOptions& options = {},
+                                 const Execution& execution = {});
+
+/// "body", "foreground", "background", "sagittal", "island", "ignored".
+const char* Name(PartRole role) noexcept;
+/// "over", "under", "adjacent", "over-in"; "none" for the body.
+const char* Name(Relation relation) noexcept;
+
+}  // namespace lascaux
