@@ -3,8 +3,6 @@
 #include <filesystem>
 #include <memory>
 #include <string_view>
-#include <string>
-#include <vector>
 
 #include "lascaux/base/outcome.h"
 
@@ -13,8 +11,13 @@
 
 namespace lascaux {
 
-/// The outputs of one run: each is written to a temporary file beside its target, all are renamed together by Commit(). The temporary
-/// files of a set that is destroyed before are removed.
+/// The outputs of one run: each is written to a temporary file beside its target, all are renamed
+/// together by Commit().
+///
+/// A set that is destroyed without Commit(), or whose Commit() failed, removes its temporary files,
+/// so a program that unwinds on a signal leaves nothing behind. All errors have the code
+/// "cannot-write", the path, the system's reason and the remedy. A link at the target stays a link:
+/// what it points to is replaced.
 class OutputSet {
  public:
   OutputSet();
@@ -22,10 +25,18 @@ class OutputSet {
   OutputSet(OutputSet&&) noexcept;
   OutputSet& operator=(OutputSet&&) noexcept;
 
-  /// A path beside `target` to write to. Errors: "cannot-write" (folder missing, no permission, a folder in the way).
+  /// A path in the folder of `target` to write to: an empty file that exists by now, with the
+  /// rights of the file that it will replace.
+  ///
+  /// Errors: the folder is missing or may not be written to; a folder, a device or a
+  /// write-protected file is in the way; the target is in the set already.
   Outcome<std::filesystem::path> Add(const std::filesystem::path& target);
 
-  /// Renames all to their targets. On an error those that were there before stay as they were.
+  /// Renames all to their targets, which empties the set. On an error all targets are as they were
+  /// before the call.
+  ///
+  /// Old files are kept under a second name until the last target is in place. Only a kill in the
+  /// middle of the renaming can leave a part of the set replaced.
   Diagnostics Commit();
 
  private:
@@ -33,7 +44,10 @@ class OutputSet {
   std::unique_ptr<State> state_;
 };
 
-/// Writes bytes to a file and makes sure that they are on it (short writes, full disks are errors "cannot-write").
+/// Writes bytes to a file, replacing what was in it, and sees them accepted by the system.
+///
+/// Short writes, full disks and errors that show on closing are "cannot-write". A program that
+/// wants an error at a limit on file sizes, too, ignores SIGXFSZ.
 Diagnostics WriteBytes(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace lascaux

@@ -3,23 +3,15 @@
 #include <openvdb/openvdb.h>
 
 #include <cstdint>
-#include <vector>
 
 #include "lascaux/base/execution.h"
 #include "lascaux/base/outcome.h"
+#include "lascaux/volume/image.h"
 
 /// @file
 /// Pictures of a level set, ray-marched on the processor.
 
 namespace lascaux {
-
-/// 8-bit sRGB with straight alpha, rows from the top, 4 bytes a pixel.
-struct Image {
-  int width = 0, height = 0;
-  std::vector<std::uint8_t> rgba;
-
-  bool operator==(const Image&) const = default;
-};
 
 enum class View : std::uint8_t { kSide, kFront, kThreeQuarter, kTop };
 
@@ -30,7 +22,9 @@ struct RenderOptions {
   bool operator==(const RenderOptions&) const = default;
 };
 
-/// A clay-like rendering: soft key light, sky, ambient occlusion, contact shadow on the ground, anti-aliased. Deterministic.
-Outcome<Image> Render(const openvdb::FloatGrid& grid, const RenderOptions& options = {}, const Execution& execution = {});
+/// A clay-like rendering: soft key light, sky, ambient occlusion, contact shadow on the ground,
+/// anti-aliased. Deterministic.
+Outcome<Image> Render(const openvdb::FloatGrid& grid, const RenderOptions& options = {},
+                      const Execution& execution = {});
 
 }  // namespace lascaux
