@@ -1,0 +1,241 @@
+#include "lascaux/volume/check_mesh.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+#include <vector>
+
+#include "volume/arena.h"
+#include "volume/edges.h"
+#include "volume/exact_predicates.h"
+#include "volume/self_intersections.h"
+#include "volume/union_find.h"
+
+namespace lascaux {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::Vector3f;
+
+/// What edges and corners say, with the components of the vertices.
+struct Topology {
+  bool closed = false, manifold = false, consistent = false;
+  int components = 0;
+  std::optional<int> genus;
+  std::vector<std::uint32_t> root;  // of each vertex's component
+};
+
+Topology MeasureTopology(const Mesh& mesh) {
+  Topology topology;
+  const EdgeTable table(mesh);
+  // Corners of one vertex are in one fan when edges between their triangles join them.
+  UnionFind fans(3 * mesh.triangles.size());
+  std::int64_t edges = 0;
+  topology.closed = topology.manifold = topology.consistent = true;
+  table.ForEdges([&](std::uint32_t low, std::span<const EdgeSide> sides) {
+    ++edges;
+    topology.closed = topology.closed && sides.size() % 2 == 0;
+    topology.manifold = topology.manifold && sides.size() <= 2;
+    std::int64_t balance = 0;
+    std::array<std::uint32_t, 2> first{};  // corners at the edge's ends in its first triangle
+    for (const EdgeSide& s : sides) {
+      const std::uint32_t t = s.Triangle(), k = s.side % 3, next = 3 * t + (k + 1) % 3;
+      const bool forward = mesh.triangles[t][k] == low;
+      balance += forward ? 1 : -1;
+      const std::array<std::uint32_t, 2> ends = {forward ? s.side : next, forward ? next : s.side};
+      if (&s == sides.data()) first = ends;
+      fans.Join(first[0], ends[0]);
+      fans.Join(first[1], ends[1]);
+    }
+    topology.consistent = topology.consistent && balance == 0;
+  });
+  topology.closed = topology.closed && edges > 0;
+  topology.consistent = topology.consistent && edges > 0;
+
+  std::vector<std::uint32_t> fans_at(mesh.vertices.size(), 0);
+  UnionFind pieces(mesh.vertices.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& corners = mesh.triangles[t];
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      if (fans.Root(3 * t + k) == 3 * t + k) ++fans_at[corners[k]];
+    }
+    pieces.Join(corners[0], corners[1]);
+    pieces.Join(corners[0], corners[2]);
+  }
+  topology.root.resize(mesh.vertices.size());
+  std::int64_t used = 0;
+  for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+    topology.manifold = topology.manifold && fans_at[v] == 1;
+    topology.root[v] = pieces.Root(v);
+    if (fans_at[v] == 0) continue;
+    ++used;
+    topology.components += topology.root[v] == v ? 1 : 0;
+  }
+  topology.manifold = topology.manifold && edges > 0;
+  if (topology.closed && topology.manifold && topology.components == 1) {
+    const std::int64_t euler = used - edges + static_cast<std::int64_t>(mesh.triangles.size());
+    topology.genus = static_cast<int>((2 - euler) / 2);
+  }
+  return topology;
+}
+
+/// Volume and area, with the volume of each vertex's component at its root.
+struct Measures {
+  double volume = 0, area = 0;
+  std::vector<double> volume_at;
+};
+
+Measures MeasureVolume(const Mesh& mesh, const std::vector<std::uint32_t>& root) {
+  Measures measures;
+  measures.volume_at.assign(mesh.vertices.size(), 0);
+  Eigen::AlignedBox3d box;
+  for (const Vector3f& v : mesh.vertices) box.extend(v.cast<double>());
+  // Seen from the middle, the tetrahedra that add up to the volume are small.
+  const Vector3d middle = box.center();
+  for (const auto& t : mesh.triangles) {
+    const Vector3d a = mesh.vertices[t[0]].cast<double>() - middle;
+    const Vector3d b = mesh.vertices[t[1]].cast<double>() - middle;
+    const Vector3d c = mesh.vertices[t[2]].cast<double>() - middle;
+    const double volume = a.dot(b.cross(c)) / 6;
+    measures.volume += volume;
+    measures.volume_at[root[t[0]]] += volume;
+    measures.area += (b - a).cross(c - a).norm() / 2;
+  }
+  return measures;
+}
+
+bool HasArea(const Mesh& mesh, const std::array<std::uint32_t, 3>& t) {
+  const Corners p = {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
+  const Vector3d u = p[1].cast<double>() - p[0].cast<double>();
+  const Vector3d v = p[2].cast<double>() - p[0].cast<double>();
+  // A thousand times what rounding in double precision can feign.
+  if (u.cross(v).norm() > 1e-12 * u.norm() * v.norm()) return true;
+  return !AreCollinear(p);
+}
+
+std::vector<std::uint32_t> TrianglesWithArea(const Mesh& mesh) {
+  std::vector<std::uint8_t> good(mesh.triangles.size());
+  tbb::parallel_for(std::size_t{0}, good.size(),
+                    [&](std::size_t t) { good[t] = HasArea(mesh, mesh.triangles[t]) ? 1 : 0; });
+  std::vector<std::uint32_t> result;
+  result.reserve(good.size());
+  for (std::uint32_t t = 0; t < good.size(); ++t) {
+    if (good[t] != 0) result.push_back(t);
+  }
+  return result;
+}
+
+std::int64_t CountCoincident(const std::vector<Vector3f>& vertices) {
+  std::vector<std::uint32_t> order(vertices.size());
+  std::iota(order.begin(), order.end(), std::uint32_t{0});
+  const auto key = [&](std::uint32_t i) {
+    const Vector3f& v = vertices[i];
+    return std::make_tuple(v.x(), v.y(), v.z());
+  };
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t i, std::uint32_t j) { return key(i) < key(j); });
+  std::int64_t count = 0;
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    count += key(order[i - 1]) == key(order[i]) ? 1 : 0;
+  }
+  return count;
+}
+
+std::int64_t CountInvalid(const Mesh& mesh) {
+  std::int64_t count = 0;
+  for (const Vector3f& v : mesh.vertices) count += v.allFinite() ? 0 : 1;
+  for (const auto& t : mesh.triangles) {
+    count += *std::max_element(t.begin(), t.end()) < mesh.vertices.size() ? 0 : 1;
+  }
+  return count;
+}
+
+}  // namespace
+
+bool MeshFacts::IsPrintable() const noexcept {
+  return closed && manifold && oriented && components == 1 && degenerate == 0 && coincident == 0 &&
+         invalid == 0 && self_intersections.value_or(0) == 0;
+}
+
+MeshFacts CheckMesh(const Mesh& mesh, const Execution& execution) {
+  MeshFacts facts;
+  facts.vertices = static_cast<std::int64_t>(mesh.vertices.size());
+  facts.triangles = static_cast<std::int64_t>(mesh.triangles.size());
+  facts.invalid = CountInvalid(mesh);
+  // Nothing can be said of a mesh that points nowhere, and a slicer takes none of it.
+  if (facts.invalid > 0) return facts;
+  RunInArena(execution, [&] {
+    const auto geometry = [&] {
+      const std::vector<std::uint32_t> solid = TrianglesWithArea(mesh);
+      facts.degenerate = facts.triangles - static_cast<std::int64_t>(solid.size());
+      facts.self_intersections = CountSelfIntersections(mesh, solid, execution);
+    };
+    const auto topology = [&] {
+      const Topology found = MeasureTopology(mesh);
+      const Measures measures = MeasureVolume(mesh, found.root);
+      facts.closed = found.closed;
+      facts.manifold = found.manifold;
+      facts.components = found.components;
+      facts.genus = found.genus;
+      facts.volume = measures.volume;
+      facts.area = measures.area;
+      facts.oriented = found.consistent;
+      for (const auto& t : mesh.triangles) {
+        facts.oriented = facts.oriented && measures.volume_at[found.root[t[0]]] > 0;
+      }
+    };
+    tbb::parallel_invoke(topology, geometry,
+                         [&] { facts.coincident = CountCoincident(mesh.vertices); });
+  });
+  return facts;
+}
+
+Diagnostics MeshDefects(const MeshFacts& facts) {
+  Diagnostics defects;
+  const auto add = [&](const char* code, std::string message) {
+    defects.push_back(Error(FailureKind::kMesh, code, std::move(message)));
+  };
+  if (facts.triangles == 0) {
+    add("mesh-empty", "the mesh has no triangles");
+    return defects;
+  }
+  if (facts.invalid > 0) {
+    add("mesh-invalid",
+        fmt::format("{} vertices are not finite or triangles point past the last vertex; nothing "
+                    "else was measured",
+                    facts.invalid));
+    return defects;
+  }
+  if (!facts.closed) add("mesh-open", "the mesh has open edges: a slicer can't tell its inside");
+  if (!facts.manifold) {
+    add("mesh-not-manifold",
+        "an edge has more than two triangles, or a vertex has none or more than one fan of them");
+  }
+  if (!facts.oriented) {
+    add("mesh-not-oriented",
+        fmt::format("triangles face different ways or inward (volume {:.6g})", facts.volume));
+  }
+  if (facts.degenerate > 0) {
+    add("mesh-degenerate", fmt::format("{} triangles have no area", facts.degenerate));
+  }
+  if (facts.coincident > 0) {
+    add("mesh-coincident",
+        fmt::format("{} vertices are at the same place as another", facts.coincident));
+  }
+  if (facts.self_intersections.value_or(0) > 0) {
+    add("mesh-self-intersects",
+        fmt::format("{} pairs of triangles run through each other", *facts.self_intersections));
+  }
+  if (facts.components > 1) {
+    add("mesh-in-pieces", fmt::format("the mesh is in {} pieces", facts.components));
+  }
+  return defects;
+}
+
+}  // namespace lascaux
