@@ -8,7 +8,11 @@ find_package(TBB REQUIRED CONFIG)
 # OpenVDB has a find module of its own, in a folder known only after project().
 list(APPEND CMAKE_MODULE_PATH ${CMAKE_INSTALL_PREFIX}/lib/cmake/OpenVDB
      /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake/OpenVDB)
+# Debian's Imath names a Python library that libopenvdb-dev does not need and says so at length, so only warnings are heard.
+set(lascaux_log_level ${CMAKE_MESSAGE_LOG_LEVEL})
+set(CMAKE_MESSAGE_LOG_LEVEL WARNING)
 find_package(OpenVDB 10 REQUIRED)
+set(CMAKE_MESSAGE_LOG_LEVEL ${lascaux_log_level})
 # FindOpenVDB switches this on for everybody who comes after it.
 set(BUILD_SHARED_LIBS OFF)
 find_package(fmt 9 REQUIRED)
@@ -18,3 +22,8 @@ find_package(pugixml REQUIRED)
 find_package(CGAL 5.5 REQUIRED QUIET)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(lib2geom REQUIRED IMPORTED_TARGET 2geom)
+find_package(OpenImageIO 2.4 REQUIRED CONFIG)
+# Debian's target names a folder of OpenCV that its package does not bring, at which CMake stops.
+get_target_property(oiio_includes OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
+list(REMOVE_ITEM oiio_includes /usr/include/opencv4)
+set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${oiio_includes}")

@@ -1,0 +1,144 @@
+#include "command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+
+#include "lascaux/io/content_hash.h"
+#include "lascaux/io/read_file.h"
+#include "progress.h"
+#include "stopwatch.h"
+#include "summary.h"
+#include "version.h"
+
+namespace lascaux {
+namespace {
+
+constexpr std::string_view kProgram = "lascaux";
+
+Diagnostic Usage(std::string code, std::string message) {
+  return Error(FailureKind::kUsage, std::move(code), std::move(message));
+}
+
+/// What can be said about the inputs before any of them is read.
+Diagnostics CheckInputs(const CommandOptions& options) {
+  constexpr std::array<std::string_view, 7> kPictures = {".png",  ".jpg", ".jpeg", ".tif",
+                                                         ".tiff", ".bmp", ".webp"};
+  Diagnostics errors;
+  for (const std::string& sketch : options.sketches) {
+    std::string ending = std::filesystem::path(sketch).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (std::find(kPictures.begin(), kPictures.end(), ending) != kPictures.end())
+      errors.push_back(Usage("unknown-format",
+                             fmt::format("{}: pictures are not read; draw the lines as SVG, whose "
+                                         "ending is .svg",
+                                         sketch)));
+    if (sketch == "-" && options.format.empty())
+      errors.push_back(
+          Usage("unknown-format", "-: standard input has no ending; say --format svg"));
+  }
+  if (std::count(options.sketches.begin(), options.sketches.end(), "-") > 1)
+    errors.push_back(Usage("usage", "-: standard input can be read only once"));
+  return errors;
+}
+
+/// The formats of -o, and the reports of --report whatever their ending.
+Outcome<std::vector<std::vector<OutputTarget>>> Plan(Verb verb, const CommandOptions& options) {
+  Diagnostics log;
+  auto requests = ReadOutputNames(verb, options.outputs).MoveInto(log);
+  if (!requests) return Outcome<std::vector<std::vector<OutputTarget>>>::Failure(std::move(log));
+  for (const std::string& name : options.reports) requests->push_back({OutputKind::kReport, name});
+  return PlanOutputs(options.sketches, *requests);
+}
+
+std::vector<std::pair<std::string, std::string>> Metadata(const PipelineOptions& options,
+                                                          std::string_view bytes) {
+  std::string settings = fmt::format("size={} voxel_size={} blend={}", options.size,
+                                     options.VoxelSize(), options.blend);
+  if (options.depth.body)
+    settings += fmt::format(" body={},{}", options.depth.body->x(), options.depth.body->y());
+  return {{"creator", "Lascaux"},
+          {"lascaux_version", kVersion},
+          {"lascaux_sketch_hash", ContentHashText(bytes)},
+          {"lascaux_options", settings}};
+}
+
+/// One sketch of a call.
+struct Job {
+  std::string sketch;
+  std::vector<OutputTarget> targets;
+  LastStage last = LastStage::kMesh;
+};
+
+/// The last stage that the outputs need.
+LastStage LastStageFor(Verb verb, const std::vector<OutputTarget>& targets) {
+  if (verb == Verb::kInspect) return LastStage::kCreature;
+  const bool picture = std::any_of(targets.begin(), targets.end(),
+                                   [](const auto& t) { return t.kind == OutputKind::kPng; });
+  return picture ? LastStage::kPreview : LastStage::kMesh;
+}
+
+/// Reads, builds and writes. What went wrong is in the model's diagnostics.
+Model Make(const Job& job, const CommandOptions& options, const Execution& execution) {
+  Model model;
+  model.file = job.sketch;
+  Timings reading;
+  std::optional<std::string> bytes;
+  {
+    const Stopwatch watch(reading, "read");
+    bytes = ReadBytes(job.sketch, {.max_bytes = options.pipeline.read.max_bytes})
+                .MoveInto(model.diagnostics);
+  }
+  if (!bytes) return model;
+  PipelineOptions pipeline = options.pipeline;
+  pipeline.last = job.last;
+  model = RunPipeline(*bytes, pipeline, execution);
+  model.file = job.sketch;
+  model.timings.stages.front().second += reading.stages.front().second;
+
+  const ExitCode code = ExitCodeOf(model.diagnostics);
+  const bool diagnosed = code == ExitCode::kUnderstanding || code == ExitCode::kMesh;
+  if (code != ExitCode::kSuccess && !diagnosed) return model;
+  WriteOptions write = options.write;
+  write.metadata = Metadata(options.pipeline, *bytes);
+  WriteOutputs(model, job.targets, write, execution);
+  return model;
+}
+
+ExitCode RunJob(const Job& job, const CommandOptions& options, const Execution& execution) {
+  const bool quiet = options.verbosity == Verbosity::kQuiet;
+  Model model;
+  {
+    ProgressLine line(quiet ? nullptr : stderr);
+    Execution run = execution;
+    run.progress = line.Callback(job.sketch);
+    model = Make(job, options, run);
+  }
+  const ExitCode code = ExitCodeOf(model.diagnostics);
+  if (code == ExitCode::kSuccess) model.diagnostics.push_back(Summary(model, job.targets));
+  PrintMessages(stderr, job.sketch, model.diagnostics, options.verbosity);
+  return code;
+}
+
+}  // namespace
+
+ExitCode RunCommand(Verb verb, const CommandOptions& options, const Execution& execution) {
+  Diagnostics errors = CheckInputs(options);
+  const auto plan = Plan(verb, options).MoveInto(errors);
+  if (!plan || HasError(errors)) {
+    PrintMessages(stderr, kProgram, errors, options.verbosity);
+    return ExitCode::kUsage;
+  }
+  ExitCode worst = ExitCode::kSuccess;
+  for (std::size_t i = 0; i < options.sketches.size() && !execution.IsCancelled(); ++i) {
+    const Job job{options.sketches[i], (*plan)[i], LastStageFor(verb, (*plan)[i])};
+    worst = Worse(worst, RunJob(job, options, execution));
+  }
+  return execution.IsCancelled() ? Worse(worst, ExitCode::kInterrupted) : worst;
+}
+
+}  // namespace lascaux

@@ -1,0 +1,175 @@
+#include "command_line.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "version.h"
+
+namespace lascaux {
+namespace {
+
+constexpr const char* kExamples = R"(Draw an animal from the side. Get a solid one.
+
+Examples:
+  lascaux build cat.svg -o cat.vdb -o cat.stl -o cat.png
+  lascaux build *.svg -o 'out/{}.stl' --report 'out/{}.json'
+  lascaux build cat.svg -o cat.stl --size 80 --resolution 512
+  lascaux inspect cat.svg -o parse.svg
+  cat cat.svg | lascaux build - --format svg -o cat.vdb
+)";
+
+constexpr const char* kExitCodes = R"(Exit codes:
+  0 done   2 command line   3 input can't be read   4 drawing not understood
+  5 output can't be written   6 mesh not printable   1 bug   130 interrupted
+)";
+
+/// A number that is finite, above 0 and at most `most`.
+CLI::Validator Positive(double most) {
+  return CLI::Validator(
+      [most](const std::string& text) {
+        double value = 0;
+        if (!CLI::detail::lexical_cast(text, value)) return "'" + text + "' is not a number";
+        if (std::isfinite(value) && value > 0 && value <= most) return std::string();
+        return fmt::format("{} is not above 0 and at most {}", text, most);
+      },
+      "");
+}
+
+/// An option of a version to come: says so and what there is instead.
+void Refuse(CLI::App& app, const std::string& name, const std::string& instead) {
+  app.add_option_function<std::string>(name,
+                                       [name, instead](const std::string&) {
+                                         throw CLI::ValidationError(name,
+                                                                    "is not supported; " + instead);
+                                       })
+      ->group("");
+}
+
+void AddShared(CLI::App& app, CommandLine& line) {
+  CommandOptions& options = line.options;
+  app.add_option("SKETCH", options.sketches, "Drawings (.svg); - reads from standard input")
+      ->required();
+  app.add_option("--format", options.format, "What comes from standard input: svg")
+      ->check(CLI::IsMember({"svg"}));
+  app.add_option_function<std::vector<double>>(
+         "--body",
+         [&options](const std::vector<double>& xy) {
+           if (!std::isfinite(xy[0]) || !std::isfinite(xy[1]))
+             throw CLI::ValidationError("--body", "wants two finite numbers, such as 120,80");
+           options.pipeline.depth.body = Eigen::Vector2d(xy[0], xy[1]);
+         },
+         "A point in the torso, in the sketch's units, when the automatic choice is wrong")
+      ->delimiter(',')
+      ->expected(2)
+      ->type_name("X,Y");
+  app.add_option("--threads", line.threads, "Worker threads (default: all)")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  app.add_flag_callback(
+      "--quiet,-q", [&options] { options.verbosity = Verbosity::kQuiet; },
+      "No progress and no notes; warnings and errors stay");
+  Refuse(app, "--overrides", "--body X,Y names the torso");
+  app.allow_extras(false);
+}
+
+void AddBuild(CLI::App& app, CommandLine& line) {
+  constexpr double kLargestResolution = 8192;  // a model of 8192 voxels takes some 20 GB
+  constexpr double kLargestSize = 1e6;         // mm: a kilometre
+  constexpr double kLargestBlend = 64;         // the field's own limit on exponents
+  CommandOptions& options = line.options;
+  PipelineOptions& pipeline = options.pipeline;
+  app.add_option("-o,--output", options.outputs,
+                 "A file to write, again for each more: .vdb .stl .ply .png .json (report) .svg "
+                 "(how the drawing was read); {} stands for the sketch's name")
+      ->type_name("FILE")
+      ->take_all();
+  AddShared(app, line);
+  auto* resolution =
+      app.add_option("--resolution", pipeline.resolution, "Voxels along the longest side")
+          ->check(Positive(kLargestResolution))
+          ->capture_default_str()
+          ->type_name("N");
+  app.add_option("--voxel-size", pipeline.voxel_size, "Edge of a voxel, instead of --resolution")
+      ->check(Positive(kLargestSize))
+      ->excludes(resolution)
+      ->type_name("MM");
+  app.add_option("--size", pipeline.size, "Longest side of the model")
+      ->check(Positive(kLargestSize))
+      ->capture_default_str()
+      ->type_name("MM");
+  app.add_option("--blend", pipeline.blend,
+                 "How sharply parts meet: 1 is the softest, above 8 nearly a crease")
+      ->check(CLI::Range(1.0, kLargestBlend))
+      ->capture_default_str()
+      ->type_name("N");
+  app.add_option("--units", options.write.unit, "Unit of .vdb and .ply: mm, cm or m (default m)")
+      ->transform(CLI::Transformer(std::map<std::string, Unit>{
+          {"mm", Unit::kMillimetre}, {"cm", Unit::kCentimetre}, {"m", Unit::kMetre}}))
+      ->type_name("UNIT");
+  app.add_option("--report", options.reports, "Writes the report, whatever the file's ending")
+      ->type_name("FILE")
+      ->take_all();
+  app.add_flag_callback(
+      "--no-timings", [&options] { options.write.timings = ReportTimings::kWithout; },
+      "Leaves the one thing out of the report that differs between equal runs");
+  app.add_option_function<std::string>("--pose",
+                                       [](const std::string& pose) {
+                                         if (pose != "symmetric")
+                                           throw CLI::ValidationError(
+                                               "--pose", "'" + pose +
+                                                             "' is not supported; far "
+                                                             "limbs mirror near ones (symmetric)");
+                                       })
+      ->group("");
+}
+
+void AddInspect(CLI::App& app, CommandLine& line) {
+  app.add_option(
+         "-o,--output", line.options.outputs,
+         "A file to write: .svg (parts, junctions, completions, pairs, skeleton and "
+         "problems on the drawing), .json (the same as data); {} stands for the sketch's name")
+      ->type_name("FILE")
+      ->required()
+      ->take_all();
+  AddShared(app, line);
+}
+
+std::string OneLine(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+}  // namespace
+
+std::variant<CommandLine, Answer> ParseCommandLine(std::vector<std::string> arguments) {
+  CommandLine line;
+  CLI::App app(kExamples, "lascaux");
+  app.footer(kExitCodes);
+  app.set_version_flag("--version", VersionText);
+  app.require_subcommand(1);
+  CLI::App* build = app.add_subcommand("build", "Turns drawings into models");
+  CLI::App* inspect = app.add_subcommand("inspect", "Shows how a drawing was read");
+  AddBuild(*build, line);
+  AddInspect(*inspect, line);
+  try {
+    std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
+    app.parse(arguments);
+  } catch (const CLI::CallForHelp&) {
+    const CLI::App* asked = build->parsed() ? build : inspect->parsed() ? inspect : &app;
+    return Answer{ExitCode::kSuccess, asked->help()};
+  } catch (const CLI::CallForVersion&) {
+    return Answer{ExitCode::kSuccess, VersionText()};
+  } catch (const CLI::ParseError& error) {
+    return Answer{ExitCode::kUsage,
+                  fmt::format("lascaux: error: usage: {}; lascaux --help shows how\n",
+                              OneLine(error.what()))};
+  }
+  line.verb = inspect->parsed() ? Verb::kInspect : Verb::kBuild;
+  return line;
+}
+
+}  // namespace lascaux

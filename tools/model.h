@@ -1,0 +1,52 @@
+#pragma once
+
+#include <openvdb/openvdb.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lascaux/base/diagnostic.h"
+#include "lascaux/field/field.h"
+#include "lascaux/skeleton/creature.h"
+#include "lascaux/skeleton/skeleton.h"
+#include "lascaux/sketch/depth_graph.h"
+#include "lascaux/sketch/parts.h"
+#include "lascaux/sketch/planar_map.h"
+#include "lascaux/sketch/sketch.h"
+#include "lascaux/volume/check_mesh.h"
+#include "lascaux/volume/fidelity.h"
+#include "lascaux/volume/mesh.h"
+#include "lascaux/volume/render.h"
+
+namespace lascaux {
+
+/// How long each stage took, in milliseconds, in the order of the stages.
+struct Timings {
+  std::vector<std::pair<std::string, double>> stages;
+  double total = 0;  ///< from the first byte read to the last file written, the report left out
+};
+
+/// Everything that a run made, from the drawing to the measured mesh. What an error prevented is
+/// empty.
+struct Model {
+  std::string file;  ///< the sketch as named on the command line
+  std::optional<Sketch> sketch;
+  std::optional<PlanarMap> map;
+  std::optional<Parts> parts;
+  std::optional<DepthGraph> graph;
+  std::optional<std::vector<Skeleton>> skeletons;
+  std::optional<Creature> creature;
+  std::optional<ModelFrame> frame;
+  std::optional<Field> field;
+  openvdb::FloatGrid::Ptr grid;
+  std::optional<Mesh> mesh;
+  std::optional<MeshFacts> facts;
+  std::optional<Fidelity> fidelity;
+  std::optional<Image> preview;
+  Diagnostics diagnostics;
+  Timings timings;
+};
+
+}  // namespace lascaux

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "lascaux/base/outcome.h"
+
+/// @file
+/// Which files a run writes: the names on the command line, understood before any work is done.
+
+namespace lascaux {
+
+enum class OutputKind : std::uint8_t { kVdb, kStl, kPly, kPng, kReport, kParsePicture, kParseDump };
+
+/// True for the files that hold the model or show it; they don't appear when the build failed.
+constexpr bool IsModel(OutputKind kind) noexcept {
+  return kind == OutputKind::kVdb || kind == OutputKind::kStl || kind == OutputKind::kPly ||
+         kind == OutputKind::kPng;
+}
+
+/// A name as given: it may hold "{}".
+struct OutputRequest {
+  OutputKind kind = OutputKind::kVdb;
+  std::string name;
+};
+
+/// A file to write.
+struct OutputTarget {
+  OutputKind kind = OutputKind::kVdb;
+  std::filesystem::path path;
+};
+
+/// What `lascaux build` and `lascaux inspect` write: an ending stands for a format.
+enum class Verb : std::uint8_t { kBuild, kInspect };
+
+/// The formats that the names' endings ask for. Errors: "unknown-format", "stdout-output".
+Outcome<std::vector<OutputRequest>> ReadOutputNames(Verb verb,
+                                                    const std::vector<std::string>& names);
+
+/// The files of each sketch, "{}" replaced by the sketch's name without its ending ("stdin" for
+/// "-").
+///
+/// Errors: "output-name" (several sketches and a name without "{}", two outputs at one path, an
+/// output that is an input).
+Outcome<std::vector<std::vector<OutputTarget>>> PlanOutputs(
+    const std::vector<std::string>& sketches, const std::vector<OutputRequest>& requests);
+
+}  // namespace lascaux

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+
+#include "model.h"
+#include "picture_style.h"
+
+/// @file
+/// The layers of the parse picture, each the text of one SVG group; empty when the model has
+/// nothing for it.
+
+namespace lascaux {
+
+std::string PartsLayer(const Model& model, const PictureStyle& style);
+std::string InkLayer(const Model& model, const PictureStyle& style);
+std::string ClosuresLayer(const Model& model, const PictureStyle& style);
+std::string CompletionsLayer(const Model& model, const PictureStyle& style);
+std::string SkeletonLayer(const Model& model, const PictureStyle& style);
+std::string JunctionsLayer(const Model& model, const PictureStyle& style);
+std::string BodyLayer(const Model& model, const PictureStyle& style);
+std::string LabelsLayer(const Model& model, const PictureStyle& style);
+std::string DiagnosticsLayer(const Model& model, const PictureStyle& style);
+
+/// A table of parts and diagnostics beside the drawing, its left edge at `left`. `height` of the
+/// drawing and the table's own decide the picture's.
+struct Legend {
+  std::string text;
+  double height = 0;
+};
+Legend LegendLayer(const Model& model, const PictureStyle& style, double left);
+
+}  // namespace lascaux

@@ -1,0 +1,106 @@
+#include "report.h"
+
+#include <algorithm>
+
+#include "json_values.h"
+
+namespace lascaux {
+namespace {
+
+Json SketchJson(const Model& model) {
+  Json json = {{"file", model.file}, {"strokes", nullptr}, {"bounds", nullptr}};
+  if (!model.sketch) return json;
+  json["strokes"] = model.sketch->strokes.size();
+  const Eigen::AlignedBox2d box = Bounds(*model.sketch);
+  if (!box.isEmpty()) json["bounds"] = {PointJson(box.min()), PointJson(box.max())};
+  return json;
+}
+
+Json MatrixJson(const Model& model) {
+  if (!model.mesh) return nullptr;  // the shift in y is known only then
+  const ModelFrame& frame = *model.frame;
+  return {{frame.scale, 0.0, frame.shift.x()}, {0.0, -frame.scale, frame.shift.y()}};
+}
+
+/// Depth of a part's drawn side in millimetres; background parts stand opposite their partners.
+Json DepthJson(const Model& model, int part) {
+  if (!model.creature || !model.frame) return nullptr;
+  const DepthNode& node = model.graph->nodes[static_cast<std::size_t>(part)];
+  const bool far = node.role == PartRole::kBackground;
+  const int built = far ? node.pair.value_or(-1) : part;
+  for (const CreaturePart& p : model.creature->parts)
+    if (p.part == built) return (far ? -p.z : p.z) * model.frame->scale + 0.0;  // no -0
+  return nullptr;
+}
+
+/// Parts that are ignored are no part of the model; their places are in the parse picture.
+Json PartsJson(const Model& model) {
+  Json json = Json::array();
+  if (!model.graph) return json;
+  for (int i = 0; i < static_cast<int>(model.graph->nodes.size()); ++i) {
+    const DepthNode& node = model.graph->nodes[static_cast<std::size_t>(i)];
+    if (node.role == PartRole::kIgnored) continue;
+    const bool related = node.relation != Relation::kNone;
+    const auto& ring = model.parts->parts[static_cast<std::size_t>(i)].outline.points;
+    json.push_back({{"id", i},
+                    {"name", node.name},
+                    {"role", Name(node.role)},
+                    {"parent", OrNull(node.parent)},
+                    {"relation", related ? Json(Name(node.relation)) : Json()},
+                    {"pair", OrNull(node.pair)},
+                    {"z", DepthJson(model, i)},
+                    {"outlines", Json::array({RingJson(ring)})}});
+  }
+  return json;
+}
+
+Json GridJson(const Model& model) {
+  if (!model.grid) return nullptr;
+  return {{"voxel_size", model.grid->voxelSize()[0]},
+          {"active_voxels", model.grid->activeVoxelCount()},
+          {"bytes", model.grid->memUsage()}};
+}
+
+Json MeshJson(const std::optional<MeshFacts>& facts) {
+  if (!facts) return nullptr;
+  return {
+      {"vertices", facts->vertices},     {"triangles", facts->triangles},
+      {"closed", facts->closed},         {"manifold", facts->manifold},
+      {"oriented", facts->oriented},     {"self_intersections", OrNull(facts->self_intersections)},
+      {"components", facts->components}, {"genus", OrNull(facts->genus)},
+      {"volume", facts->volume},         {"area", facts->area}};
+}
+
+Json FidelityJson(const std::optional<Fidelity>& fidelity) {
+  if (!fidelity) return nullptr;
+  return {{"iou", fidelity->iou},
+          {"contour_mean_percent", fidelity->contour_mean_percent},
+          {"contour_p95_percent", fidelity->contour_p95_percent}};
+}
+
+Json TimingsJson(const Timings& timings) {
+  Json json = Json::object();
+  for (const auto& [stage, milliseconds] : timings.stages) json[stage] = milliseconds;
+  json["total"] = timings.total;
+  return json;
+}
+
+}  // namespace
+
+std::string ReportText(const Model& model, ReportTimings timings) {
+  Json json = {{"format", "lascaux.report/1"},
+               {"sketch", SketchJson(model)},
+               {"model_from_sketch", MatrixJson(model)},
+               {"body", nullptr}};
+  if (model.graph)
+    json["body"] = {{"id", model.graph->body}, {"score_margin", model.graph->body_margin}};
+  json["parts"] = PartsJson(model);
+  json["diagnostics"] = DiagnosticsJson(model.diagnostics);
+  json["grid"] = GridJson(model);
+  json["mesh"] = MeshJson(model.facts);
+  json["fidelity"] = FidelityJson(model.fidelity);
+  if (timings == ReportTimings::kWith) json["timings_ms"] = TimingsJson(model.timings);
+  return JsonText(json);
+}
+
+}  // namespace lascaux

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "model.h"
+
+namespace lascaux {
+
+enum class ReportTimings : std::uint8_t { kWith, kWithout };
+
+/// The report of a run, lascaux.report/1, as JSON text (docs/report.md says what each field means).
+///
+/// What was not measured is null. Equal runs give equal bytes but for `timings_ms`.
+std::string ReportText(const Model& model, ReportTimings timings);
+
+}  // namespace lascaux

@@ -1,0 +1,148 @@
+#include "run_pipeline.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <limits>
+#include <new>
+#include <utility>
+
+#include "lascaux/volume/extract_mesh.h"
+#include "lascaux/volume/level_set.h"
+#include "settle.h"
+#include "stopwatch.h"
+
+namespace lascaux {
+namespace {
+
+/// A run: each step returns false when the run is over.
+class Run {
+ public:
+  Run(std::string_view bytes, const PipelineOptions& options, const Execution& execution)
+      : bytes_(bytes), options_(options), execution_(execution) {}
+
+  void Go() {
+    const bool understood = Read() && Understand() && ExtractSkeleton();
+    if (!understood || options_.last == LastStage::kCreature) return;
+    if (!MakeVolume() || !MakeMesh() || !Measure()) return;
+    if (options_.last == LastStage::kPreview) RenderPreview();
+  }
+
+  Model& model() { return model_; }
+
+ private:
+  /// Moves a stage's value and diagnostics into the model. False on an error, and when somebody
+  /// asked to stop.
+  template <typename T, typename Target>
+  bool Keep(Outcome<T> outcome, Target& target) {
+    std::optional<T> value = std::move(outcome).MoveInto(model_.diagnostics);
+    if (!value) return false;
+    target = std::move(*value);
+    return Continue();
+  }
+
+  bool Continue() {
+    if (!execution_.IsCancelled()) return true;
+    model_.diagnostics.push_back(
+        Error(FailureKind::kInterrupted, "cancelled", "interrupted; nothing was written"));
+    return false;
+  }
+
+  bool Read() {
+    const Stopwatch watch(model_.timings, "read");
+    execution_.Report("reading", 0);
+    return Keep(ReadSvg(bytes_, options_.read), model_.sketch);
+  }
+
+  bool Understand() {
+    const Stopwatch watch(model_.timings, "structure");
+    execution_.Report("understanding", 0);
+    return Keep(BuildPlanarMap(*model_.sketch, options_.map, execution_), model_.map) &&
+           Keep(FindParts(*model_.map, options_.parts, execution_), model_.parts) &&
+           Keep(OrderByDepth(*model_.map, *model_.parts, options_.depth, execution_), model_.graph);
+  }
+
+  bool ExtractSkeleton() {
+    const Stopwatch watch(model_.timings, "skeleton");
+    execution_.Report("finding the skeleton", 0);
+    return Keep(ExtractSkeletons(*model_.parts, *model_.graph, options_.skeletons, execution_),
+                model_.skeletons) &&
+           Keep(PlaceInDepth(*model_.parts, *model_.graph, *model_.skeletons, options_.placement),
+                model_.creature);
+  }
+
+  bool MakeVolume() {
+    {
+      const Stopwatch watch(model_.timings, "field");
+      execution_.Report("building the field", 0);
+      model_.frame = FrameOf(*model_.parts, *model_.graph, options_.size);
+      model_.field = MakeField(*model_.creature, *model_.frame, options_.blend);
+    }
+    const Stopwatch watch(model_.timings, "volume");
+    execution_.Report("filling the volume", 0);
+    return Keep(Rasterise(*model_.field, {.voxel_size = options_.VoxelSize()}, execution_),
+                model_.grid);
+  }
+
+  bool MakeMesh() {
+    const Stopwatch watch(model_.timings, "mesh");
+    execution_.Report("extracting the mesh", 0);
+    if (!Keep(ExtractMesh(*model_.grid, execution_), model_.mesh)) return false;
+    StandOnGround(model_);
+    return true;
+  }
+
+  bool Measure() {
+    const Stopwatch watch(model_.timings, "check");
+    execution_.Report("checking the mesh", 0);
+    model_.facts = CheckMesh(*model_.mesh, execution_);
+    model_.fidelity = MeasureFidelity(*model_.mesh, BuiltOutlines(model_), execution_);
+    if (!Continue()) return false;
+    if (model_.facts->IsPrintable()) return true;
+    model_.diagnostics.push_back(NotPrintable(*model_.facts));
+    return false;
+  }
+
+  bool RenderPreview() {
+    const Stopwatch watch(model_.timings, "render");
+    execution_.Report("rendering the preview", 0);
+    return Keep(Render(*model_.grid, options_.render, execution_), model_.preview);
+  }
+
+  std::string_view bytes_;
+  const PipelineOptions& options_;
+  const Execution& execution_;
+  Model model_;
+};
+
+Diagnostic OutOfMemory(const Model& model, const PipelineOptions& options) {
+  std::string need = "more memory than there is";
+  if (model.field) {
+    const std::size_t bytes = EstimateBytes(*model.field, {.voxel_size = options.VoxelSize()});
+    need = fmt::format("about {:.1f} GB of memory, more than there is",
+                       static_cast<double>(bytes) / 1e9);
+  }
+  return Error(FailureKind::kUsage, "out-of-memory",
+               fmt::format("voxels of {:.3g} mm need {}; take a lower --resolution",
+                           options.VoxelSize(), need));
+}
+
+}  // namespace
+
+Model RunPipeline(std::string_view bytes, const PipelineOptions& options,
+                  const Execution& execution) {
+  Run run(bytes, options, execution);
+  try {
+    run.Go();
+  } catch (const std::bad_alloc&) {
+    run.model().diagnostics.push_back(OutOfMemory(run.model(), options));
+  } catch (const std::exception& error) {
+    run.model().diagnostics.push_back(
+        Error(FailureKind::kBug, "internal-error",
+              fmt::format("{}; this is a bug, please report it with the drawing", error.what())));
+  }
+  return std::move(run.model());
+}
+
+}  // namespace lascaux

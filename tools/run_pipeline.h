@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "lascaux/base/execution.h"
+#include "lascaux/sketch/read_svg.h"
+#include "model.h"
+
+namespace lascaux {
+
+/// How far to go.
+enum class LastStage : std::uint8_t {
+  kCreature,  ///< the drawing is understood: parts, depth, skeletons
+  kMesh,      ///< the model is built and measured
+  kPreview,   ///< and a picture of it is rendered
+};
+
+/// The options of every stage, and what no single stage owns.
+struct PipelineOptions {
+  ReadSvgOptions read;
+  BuildPlanarMapOptions map;
+  FindPartsOptions parts;
+  OrderByDepthOptions depth;
+  ExtractSkeletonsOptions skeletons;
+  PlaceInDepthOptions placement;
+  RenderOptions render;
+  double blend = 4;                  ///< Ricci exponent between a part and its parent
+  double size = 100;                 ///< longest side of the model, mm
+  int resolution = 256;              ///< voxels along the longest side
+  std::optional<double> voxel_size;  ///< mm; decides instead of the resolution
+  LastStage last = LastStage::kMesh;
+
+  /// Edge of a voxel, mm.
+  double VoxelSize() const { return voxel_size.value_or(size / resolution); }
+};
+
+/// Takes the bytes of an SVG drawing through the stages. Stops at the first error and keeps what
+/// was found until then; the diagnostics say what happened. Never throws: memory that runs out is
+/// the error "out-of-memory", anything else that a library throws is "internal-error".
+///
+/// A mesh that is not printable is an error "mesh-not-printable" and stays in the model with its
+/// facts.
+Model RunPipeline(std::string_view bytes, const PipelineOptions& options,
+                  const Execution& execution = {});
+
+}  // namespace lascaux

@@ -1,0 +1,49 @@
+#include "settle.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace lascaux {
+
+void StandOnGround(Model& model) {
+  float lowest = std::numeric_limits<float>::infinity();
+  for (const Eigen::Vector3f& vertex : model.mesh->vertices) lowest = std::min(lowest, vertex.y());
+  if (model.mesh->vertices.empty()) return;
+  for (Eigen::Vector3f& vertex : model.mesh->vertices) vertex.y() -= lowest;
+  model.grid->transform().postTranslate(openvdb::Vec3d(0, -static_cast<double>(lowest), 0));
+  model.frame->shift.y() -= static_cast<double>(lowest);
+}
+
+std::vector<std::vector<Eigen::Vector2d>> BuiltOutlines(const Model& model) {
+  std::vector<std::vector<Eigen::Vector2d>> rings;
+  for (std::size_t i = 0; i < model.parts->parts.size(); ++i) {
+    const PartRole role = model.graph->nodes[i].role;
+    if (role == PartRole::kBackground || role == PartRole::kIgnored) continue;
+    std::vector<Eigen::Vector2d>& ring = rings.emplace_back();
+    for (const Eigen::Vector2d& point : model.parts->parts[i].outline.points)
+      ring.push_back(model.frame->ToModel(point));
+  }
+  return rings;
+}
+
+Diagnostic NotPrintable(const MeshFacts& facts) {
+  std::string wrong;
+  const auto add = [&wrong](const std::string& text) {
+    wrong += wrong.empty() ? text : ", " + text;
+  };
+  if (!facts.closed) add("it is open");
+  if (!facts.manifold) add("it is not manifold");
+  if (!facts.oriented) add("its faces are not all turned outward");
+  if (facts.components != 1) add(fmt::format("it is {} pieces", facts.components));
+  if (facts.degenerate > 0) add(fmt::format("{} triangles have no area", facts.degenerate));
+  if (facts.coincident > 0) add(fmt::format("{} vertices coincide", facts.coincident));
+  if (facts.self_intersections.value_or(0) > 0)
+    add(fmt::format("{} pairs of triangles intersect", *facts.self_intersections));
+  return Error(
+      FailureKind::kMesh, "mesh-not-printable",
+      fmt::format("the mesh is not one printable solid: {}; try another --resolution", wrong));
+}
+
+}  // namespace lascaux

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "lascaux/base/diagnostic.h"
+#include "model.h"
+
+/// @file
+/// What happens between the mesh and its measurements: the model is put on the ground and compared
+/// with the drawing.
+
+namespace lascaux {
+
+/// Moves the model so that the mesh's lowest vertex is at y = 0: mesh, grid and frame by the same
+/// amount.
+///
+/// Precondition: mesh, grid and frame are there. The lowest vertex is exactly 0 afterwards.
+void StandOnGround(Model& model);
+
+/// Outlines of the parts that are built (neither background nor ignored), in the model's x and y.
+///
+/// Precondition: parts, graph and frame are there.
+std::vector<std::vector<Eigen::Vector2d>> BuiltOutlines(const Model& model);
+
+/// The error for a mesh that a slicer would have to repair, with the figures that are wrong.
+Diagnostic NotPrintable(const MeshFacts& facts);
+
+}  // namespace lascaux

@@ -1,0 +1,51 @@
+#include "summary.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <string>
+
+namespace lascaux {
+namespace {
+
+std::string PartsSentence(const DepthGraph& graph) {
+  const auto count = [&graph](auto&& wanted) {
+    return std::count_if(graph.nodes.begin(), graph.nodes.end(), wanted);
+  };
+  const auto parts = count([](const DepthNode& n) { return n.role != PartRole::kIgnored; });
+  const auto pairs = count([](const DepthNode& n) { return n.role == PartRole::kForeground; });
+  const auto drawn = count(
+      [](const DepthNode& n) { return n.role == PartRole::kForeground && n.pair.has_value(); });
+  return fmt::format("{} parts, {} of them the near ones of a pair ({} with the far one drawn)",
+                     parts, pairs, drawn);
+}
+
+std::string MeshSentence(const Model& model) {
+  Eigen::AlignedBox3f box;
+  for (const Eigen::Vector3f& vertex : model.mesh->vertices) box.extend(vertex);
+  const Eigen::Vector3f size = box.sizes();
+  std::string text = fmt::format("{:.1f} x {:.1f} x {:.1f} mm, {} triangles", size.x(), size.y(),
+                                 size.z(), model.mesh->triangles.size());
+  if (model.fidelity)
+    text += fmt::format(
+        ", outline off by {:.2f} % of the diagonal in the mean, {:.2f} % at the 95th percentile",
+        model.fidelity->contour_mean_percent, model.fidelity->contour_p95_percent);
+  return text;
+}
+
+}  // namespace
+
+Diagnostic Summary(const Model& model, const std::vector<OutputTarget>& targets) {
+  std::string text = PartsSentence(*model.graph);
+  if (model.mesh) text += "; " + MeshSentence(model);
+  const char* separator = "; wrote ";
+  for (const OutputTarget& target : targets) {
+    text += separator + target.path.string();
+    separator = ", ";
+  }
+  if (targets.empty()) text += "; nothing was asked to be written (-o FILE)";
+  return Note(model.mesh ? "built" : "understood", text);
+}
+
+}  // namespace lascaux
