@@ -1,0 +1,152 @@
+#include "skeleton/extend_outline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "lascaux/sketch/bezier.h"
+#include "skeleton/ring.h"
+
+namespace lascaux {
+namespace {
+
+using Eigen::Vector2d;
+
+/// A joint's side is continued in the direction that it has over this share of the joint's width.
+constexpr double kTangentWindow = 0.15;
+/// cos 45 degrees: sides that flare more are turned to this.
+constexpr double kLeastForward = 0.70710678;
+constexpr double kShrink = 0.75;
+constexpr double kShallowest = 0.2;
+constexpr int kSteps = 24;
+/// Joints are found and outlines left by at most this share of the diagonal.
+constexpr double kTolerance = 3e-3;
+
+/// A maximal run of shared pieces, `count` of them from `first`.
+struct Run {
+  int first = 0, count = 0;
+};
+
+std::vector<Run> SharedRuns(const Outline& outline) {
+  const int n = static_cast<int>(outline.points.size());
+  const auto shared = [&](int i) { return outline.kinds[(i + n) % n] == OutlineKind::kShared; };
+  std::vector<Run> runs;
+  for (int i = 0; i < n; ++i) {
+    if (!shared(i) || shared(i - 1)) continue;
+    Run run{i, 1};
+    while (run.count < n && shared(i + run.count)) ++run.count;
+    runs.push_back(run);
+  }
+  return runs;
+}
+
+/// Point at distance `length` along the ring from vertex `from`, going by `step` (1 or -1).
+Vector2d Along(const Ring& ring, int from, int step, double length) {
+  const int n = static_cast<int>(ring.size());
+  Vector2d here = ring[from];
+  for (int i = 1; i < n; ++i) {
+    const Vector2d& next = ring[((from + step * i) % n + n) % n];
+    const double piece = (next - here).norm();
+    if (piece >= length) return here + (next - here) * (length / piece);
+    length -= piece;
+    here = next;
+  }
+  return here;
+}
+
+/// Direction in which a side arrives at the joint, kept within 45 degrees of `inward`.
+Vector2d Arrival(const Vector2d& from, const Vector2d& end, const Vector2d& inward) {
+  const Vector2d d = end - from;
+  const double length = d.norm();
+  if (length == 0) return inward;
+  const double forward = d.dot(inward) / length;
+  if (forward >= kLeastForward) return d / length;
+  const Vector2d across(-inward.y(), inward.x());
+  const double side = d.dot(across) >= 0 ? 1.0 : -1.0;
+  return kLeastForward * (inward + side * across);
+}
+
+bool StaysInside(const std::vector<Vector2d>& curve, const Outline& outline, const Outline& parent,
+                 double tolerance) {
+  return std::all_of(curve.begin(), curve.end(), [&](const Vector2d& p) {
+    return Contains(parent.points, p) || Contains(outline.points, p) ||
+           NearestOnRing(parent.points, p).distance < tolerance ||
+           NearestOnRing(outline.points, p).distance < tolerance;
+  });
+}
+
+/// Inner points of the round end that replaces the run.
+std::optional<std::vector<Vector2d>> RoundEnd(const Outline& outline, const Run& run,
+                                              const Outline& parent, double tolerance) {
+  const Ring& ring = outline.points;
+  const int n = static_cast<int>(ring.size());
+  const int last = (run.first + run.count) % n;
+  const Vector2d a = ring[run.first], b = ring[last];
+  const double width = (b - a).norm();
+  if (width <= tolerance) return std::nullopt;
+  // The ring has positive shoelace area, so the outside is to the right of the direction of travel.
+  const Vector2d chord = (b - a) / width;
+  const Vector2d inward(chord.y(), -chord.x());
+  double depth = 0;
+  for (int i = 0; i <= run.count; ++i) {
+    depth = std::max(depth, (ring[(run.first + i) % n] - a).dot(inward));
+  }
+  const double window = kTangentWindow * width;
+  const Vector2d ta = Arrival(Along(ring, run.first, -1, window), a, inward);
+  const Vector2d tb = Arrival(Along(ring, last, 1, window), b, inward);
+  for (double share = 1; share >= kShallowest; share *= kShrink) {
+    // A cubic with parallel handles h rises by 3/4 h; with h = 2/3 of the chord it is a half circle to 2 %.
+    const double handle = 4.0 / 3.0 * (depth + share * width / 2);
+    const CubicBezier curve{{a, a + handle * ta, b + handle * tb, b}};
+    std::vector<Vector2d> points;
+    for (int i = 1; i < kSteps; ++i) points.push_back(curve.At(static_cast<double>(i) / kSteps));
+    if (StaysInside(points, outline, parent, tolerance)) return points;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Outline ExtendInto(const Outline& outline, const Outline& parent, double tolerance) {
+  const int n = static_cast<int>(outline.points.size());
+  std::vector<std::vector<Vector2d>> ends(n);
+  std::vector<int> skip(n, 0);
+  for (const Run& run : SharedRuns(outline)) {
+    if (run.count >= n) continue;
+    const int middle = (run.first + run.count / 2) % n;
+    const Vector2d at = (outline.points[middle] +
+                         outline.points[(middle + run.count % 2) % n]) / 2;
+    if (NearestOnRing(parent.points, at).distance > tolerance) continue;
+    std::optional<std::vector<Vector2d>> end = RoundEnd(outline, run, parent, tolerance);
+    if (!end) continue;
+    ends[run.first] = std::move(*end);
+    skip[run.first] = run.count;
+  }
+  Outline extended;
+  const int start = static_cast<int>(std::find_if(outline.kinds.begin(), outline.kinds.end(), [](OutlineKind k) {
+                      return k != OutlineKind::kShared;
+                    }) - outline.kinds.begin());
+  for (int k = 0; k < n;) {
+    const int i = (start + k) % n;
+    extended.points.push_back(outline.points[i]);
+    extended.kinds.push_back(skip[i] > 0 ? OutlineKind::kCompletion : outline.kinds[i]);
+    for (const Vector2d& p : ends[i]) {
+      extended.points.push_back(p);
+      extended.kinds.push_back(OutlineKind::kCompletion);
+    }
+    k += std::max(1, skip[i]);
+  }
+  return extended;
+}
+
+Outline OutlineToFill(const Parts& parts, int part, int parent) {
+  const Part& child = parts.parts[part];
+  if (child.over || child.kind == PartKind::kIsland) return child.outline;
+  const Outline& outline = child.outline;
+  return ExtendInto(outline, parts.parts[parent].outline,
+                    kTolerance * Diagonal(parts.parts[parent].outline.points));
+}
+
+}  // namespace lascaux
