@@ -1,0 +1,30 @@
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* The C interface between the library and the plugin that holds OpenImageIO: plain types, so that
+   both may be built with different compilers. A change of meaning gets a new name. */
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Takes the encoded bytes, in one or more pieces. */
+typedef void (*LascauxImageSink)(void* context, const char* bytes, size_t size);
+
+/* An 8-bit sRGB picture with straight alpha, 4 bytes a pixel, rows from the top. */
+typedef struct {
+  int32_t width, height;
+  const uint8_t* rgba;
+} LascauxImage;
+
+/* Encodes as PNG. Returns 0, or 1 with the reason given to the sink in place of the picture. */
+typedef int32_t (*LascauxEncodePng)(const LascauxImage* image, LascauxImageSink sink,
+                                    void* context);
+
+#define LASCAUX_ENCODE_PNG "lascaux_encode_png_1"
+
+#ifdef __cplusplus
+}
+#endif

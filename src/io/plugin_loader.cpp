@@ -1,0 +1,49 @@
+#include "io/plugin_loader.h"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <string>
+#include <system_error>
+
+namespace lascaux {
+namespace {
+
+constexpr const char* kPluginFile = "lascaux_image.so";
+
+}  // namespace
+
+std::vector<std::filesystem::path> PluginFolders() {
+  std::vector<std::filesystem::path> folders;
+  std::error_code error;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (!error) {
+    const auto prefix = program.parent_path().parent_path();
+    folders = {prefix / "lib", prefix / "lib/lascaux", prefix / LASCAUX_PLUGIN_SUBFOLDER};
+  }
+  folders.emplace_back(LASCAUX_PLUGIN_FOLDER);
+  return folders;
+}
+
+Outcome<LascauxEncodePng> LoadPngEncoder(const std::vector<std::filesystem::path>& folders) {
+  std::string reasons;
+  for (const auto& folder : folders) {
+    const auto path = folder / kPluginFile;
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored)) {
+      reasons += fmt::format(", not in '{}'", folder.string());
+      continue;
+    }
+    void* const library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    void* const symbol = library == nullptr ? nullptr : dlsym(library, LASCAUX_ENCODE_PNG);
+    if (symbol != nullptr) return reinterpret_cast<LascauxEncodePng>(symbol);
+    reasons += fmt::format(", {}", dlerror());
+  }
+  return Outcome<LascauxEncodePng>::Failure(Error(
+      FailureKind::kOutput, "image-plugin-missing",
+      fmt::format("pictures need the plugin {}: {}; install it again with the program, or ask for "
+                  "no .png",
+                  kPluginFile, reasons.empty() ? "no folder to look in" : reasons.substr(2))));
+}
+
+}  // namespace lascaux

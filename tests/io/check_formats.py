@@ -1,0 +1,94 @@
+#!/usr/bin/python3
+"""Reads one file of each format with programs that are not ours, and compares what they say with what is in it.
+
+Usage: check_formats.py WRITE_SAMPLES, the program that writes the samples.
+"""
+
+import math
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import cv2
+import numpy
+import pyopenvdb
+
+RADIUS = 20.0  # mm; the sphere stands on y = 0 around (5, 20, -3)
+VOXEL = 0.4  # mm
+
+
+def run(*command):
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+    text = done.stdout + done.stderr
+    assert done.returncode == 0, f"{command} exits with {done.returncode}: {text}"
+    return text
+
+
+def numbers(pattern, text):
+    found = re.search(pattern, text)
+    assert found, f"no {pattern!r} in:\n{text}"
+    return [float(group) for group in found.groups()]
+
+
+def check_stl(path):
+    text = run("admesh", str(path))
+    number = r"\s*:?\s*(-?[\d.e+-]+)"
+    assert numbers(r"Min Z =" + number, text)[0] == 0, text
+    assert math.isclose(numbers(r"Max Z =" + number, text)[0], 2 * RADIUS, rel_tol=1e-6)
+    assert math.isclose(numbers(r"Min Y =" + number, text)[0], 3 - RADIUS, rel_tol=1e-6)
+    volume = numbers(r"Volume\s*:" + number, text)[0]
+    assert math.isclose(volume, 4 / 3 * math.pi * RADIUS**3, rel_tol=4e-3), volume
+    for what in ("Degenerate facets", "Edges fixed", "Facets removed", "Facets added",
+                 "Facets reversed", "Backwards edges", "Normals fixed"):
+        assert numbers(what + r"\s*:\s*(\d+)", text)[0] == 0, f"{what}:\n{text}"
+    assert numbers(r"Number of parts\s*:\s*(\d+)", text)[0] == 1
+
+
+def check_ply(path):
+    text = run("vdb_tool", "-read", str(path), "-print")
+    assert "vtx = 4098, tri = 8192" in text, text
+    assert "bbox=[-15, 0, -23] -> [25, 40, 17]" in text, text
+
+
+def check_vdb(path, factor, unit):
+    text = run("vdb_print", "-l", str(path))
+    assert "surface" in text and "level set" in text, text
+    metadata = pyopenvdb.readAllGridMetadata(str(path))
+    assert metadata[0].name == "surface"
+    assert metadata[0]["file_mem_bytes"] > 0
+    grids, file_metadata = pyopenvdb.readAll(str(path))
+    assert len(grids) == 1
+    assert file_metadata["units"] == unit and file_metadata["up_axis"] == "Y"
+    grid = grids[0]
+    voxel = VOXEL * factor
+    assert grid.gridClass == "level set"
+    assert math.isclose(grid.transform.voxelSize()[0], voxel, rel_tol=1e-6)
+    assert math.isclose(grid.background, 3 * voxel, rel_tol=1e-6)
+    points, _ = grid.convertToQuads()
+    distances = numpy.linalg.norm(points / factor - numpy.array([5, 20, -3]), axis=1)
+    assert numpy.abs(distances - RADIUS).max() < 0.05 * VOXEL
+
+
+def check_png(path):
+    assert "40 x   30, 4 channel, uint8 png" in run("iinfo", str(path))
+    assert "sRGB" in run("iinfo", "-v", str(path))
+    picture = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
+    x, y = numpy.meshgrid(numpy.arange(40), numpy.arange(30))
+    expected = numpy.stack([x + y, 5 * y, 3 * x, 255 - x * y], axis=2) & 255  # blue comes first
+    assert (picture == expected).all()
+
+
+def main():
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        run(sys.argv[1], name)
+        check_stl(folder / "sphere.stl")
+        check_ply(folder / "sphere.ply")
+        check_vdb(folder / "sphere.vdb", 0.001, "m")
+        check_vdb(folder / "sphere_mm.vdb", 1, "mm")
+        check_png(folder / "picture.png")
+
+
+main()

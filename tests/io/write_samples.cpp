@@ -1,0 +1,28 @@
+#include <cstdio>
+#include <filesystem>
+
+#include "io/samples.h"
+#include "lascaux/io/write_ply.h"
+#include "lascaux/io/write_png.h"
+#include "lascaux/io/write_stl.h"
+#include "lascaux/io/write_vdb.h"
+
+/// Writes one file of each format into a folder, for readers that are not ours (check_formats.py).
+int main(int argc, char** argv) {
+  using namespace lascaux;  // NOLINT(google-build-using-namespace)
+  if (argc != 2) return 2;
+  const std::filesystem::path folder = argv[1];
+  Diagnostics diagnostics;
+  const auto log = [&](const Diagnostics& found) {
+    diagnostics.insert(diagnostics.end(), found.begin(), found.end());
+  };
+  const Mesh mesh = SampleSphere(5);
+  log(WriteStl(folder / "sphere.stl", mesh));
+  log(WritePly(folder / "sphere.ply", mesh, {.unit = Unit::kMillimetre}));
+  const auto grid = SampleLevelSet(0.4);
+  log(WriteVdb(folder / "sphere.vdb", *grid, {.metadata = {{"creator", "lascaux test"}}}));
+  log(WriteVdb(folder / "sphere_mm.vdb", *grid, {.unit = Unit::kMillimetre}));
+  log(WritePng(folder / "picture.png", SamplePicture(40, 30)));
+  for (const Diagnostic& diagnostic : diagnostics) std::puts(diagnostic.message.c_str());
+  return diagnostics.empty() ? 0 : 1;
+}
