@@ -9,7 +9,8 @@
 
 namespace lascaux {
 
-/// For each part whether it is built: neither background nor ignored, and all of its ancestors are built.
+/// For each part whether it is built: neither background nor ignored, and all of its ancestors are
+/// built.
 std::vector<char> BuiltParts(const DepthGraph& graph);
 
 }  // namespace lascaux

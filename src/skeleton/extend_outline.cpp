@@ -97,7 +97,8 @@ std::optional<std::vector<Vector2d>> RoundEnd(const Outline& outline, const Run&
   const Vector2d ta = Arrival(Along(ring, run.first, -1, window), a, inward);
   const Vector2d tb = Arrival(Along(ring, last, 1, window), b, inward);
   for (double share = 1; share >= kShallowest; share *= kShrink) {
-    // A cubic with parallel handles h rises by 3/4 h; with h = 2/3 of the chord it is a half circle to 2 %.
+    // A cubic with parallel handles h rises by 3/4 h; with h = 2/3 of the chord it is a half circle
+    // to 2 %.
     const double handle = 4.0 / 3.0 * (depth + share * width / 2);
     const CubicBezier curve{{a, a + handle * ta, b + handle * tb, b}};
     std::vector<Vector2d> points;
@@ -116,8 +117,7 @@ Outline ExtendInto(const Outline& outline, const Outline& parent, double toleran
   for (const Run& run : SharedRuns(outline)) {
     if (run.count >= n) continue;
     const int middle = (run.first + run.count / 2) % n;
-    const Vector2d at = (outline.points[middle] +
-                         outline.points[(middle + run.count % 2) % n]) / 2;
+    const Vector2d at = (outline.points[middle] + outline.points[(middle + run.count % 2) % n]) / 2;
     if (NearestOnRing(parent.points, at).distance > tolerance) continue;
     std::optional<std::vector<Vector2d>> end = RoundEnd(outline, run, parent, tolerance);
     if (!end) continue;
@@ -125,9 +125,10 @@ Outline ExtendInto(const Outline& outline, const Outline& parent, double toleran
     skip[run.first] = run.count;
   }
   Outline extended;
-  const int start = static_cast<int>(std::find_if(outline.kinds.begin(), outline.kinds.end(), [](OutlineKind k) {
-                      return k != OutlineKind::kShared;
-                    }) - outline.kinds.begin());
+  const int start =
+      static_cast<int>(std::find_if(outline.kinds.begin(), outline.kinds.end(),
+                                    [](OutlineKind k) { return k != OutlineKind::kShared; }) -
+                       outline.kinds.begin());
   for (int k = 0; k < n;) {
     const int i = (start + k) % n;
     extended.points.push_back(outline.points[i]);

@@ -96,10 +96,11 @@ Outcome<std::vector<Skeleton>> ExtractSkeletons(const Parts& parts, const DepthG
     const Outline& outline = parts.parts[p].outline;
     const bool wanted = node.role != PartRole::kBackground && node.role != PartRole::kIgnored;
     if (wanted && !built[p]) {
-      diagnostics.push_back(
-          At(Note("part-not-built", fmt::format("part {} ({}) is not built because the part that it is placed by is not",
-                                                p, node.name)),
-             MiddleOf(outline.points)));
+      diagnostics.push_back(At(
+          Note("part-not-built",
+               fmt::format("part {} ({}) is not built because the part that it is placed by is not",
+                           p, node.name)),
+          MiddleOf(outline.points)));
     }
     if (!built[p]) continue;
     todo.push_back(static_cast<int>(p));

@@ -20,7 +20,8 @@ constexpr double kFineness = 0.5;
 /// A piece is never cut below this share of the longest one: it bounds the work in sharp corners.
 constexpr double kFinestPiece = 1.0 / 32;
 constexpr int kMaxRefinements = 6;
-/// Discs whose centres are this near, relative to the outline's mean piece, are one: cocircular samples give a cluster.
+/// Discs whose centres are this near, relative to the outline's mean piece, are one: cocircular
+/// samples give a cluster.
 constexpr double kWeld = 0.02;
 
 class DisjointSets {
@@ -46,7 +47,7 @@ struct Graph {
   std::vector<SkeletonVertex> discs;
   std::vector<std::array<int, 2>> edges;
   std::vector<char> touches_infinity;
-  std::vector<char> piece_present;  ///< ring piece i has a Voronoi edge between its ends
+  std::vector<char> piece_present;          ///< ring piece i has a Voronoi edge between its ends
   std::vector<std::array<int, 2>> touches;  ///< a disc and a sample on its circle
 };
 
@@ -121,8 +122,8 @@ bool IsSeparated(const Graph& graph) {
                      [](char present) { return present != 0; });
 }
 
-/// Which vertices lie inside. Where every outline piece cuts the graph, what reaches infinity is outside: no geometry is
-/// asked, so nothing can be rounded wrong.
+/// Which vertices lie inside. Where every outline piece cuts the graph, what reaches infinity is
+/// outside: no geometry is asked, so nothing can be rounded wrong.
 std::vector<char> InsideMask(const Graph& graph, const Ring& ring) {
   const int m = static_cast<int>(graph.discs.size());
   std::vector<char> inside(m, 1);
@@ -140,10 +141,9 @@ std::vector<char> InsideMask(const Graph& graph, const Ring& ring) {
   return inside;
 }
 
-/// The ring with pieces cut in two where they are long against the discs inside that touch their ends, or where the
-/// diagram does not separate its two sides; unchanged when it is fine enough.
-Ring Refined(const Ring& ring, const Graph& graph, const std::vector<char>& inside,
-             double finest) {
+/// The ring with pieces cut in two where they are long against the discs inside that touch their
+/// ends, or where the diagram does not separate its two sides; unchanged when it is fine enough.
+Ring Refined(const Ring& ring, const Graph& graph, const std::vector<char>& inside, double finest) {
   const std::size_t n = ring.size();
   std::vector<double> reach(n, 0);
   for (const auto& [disc, site] : graph.touches) {
@@ -182,10 +182,10 @@ std::vector<std::array<int, 2>> SpanningForest(const Graph& graph,
   return forest;
 }
 
-/// The tree of the forest that holds `root`, with vertices in breadth-first order; discs nearer than `weld` to the disc that
-/// they descend from are merged into it.
-Skeleton TreeFrom(const Graph& graph, const std::vector<std::array<int, 2>>& forest,
-                  int root, double weld) {
+/// The tree of the forest that holds `root`, with vertices in breadth-first order; discs nearer
+/// than `weld` to the disc that they descend from are merged into it.
+Skeleton TreeFrom(const Graph& graph, const std::vector<std::array<int, 2>>& forest, int root,
+                  double weld) {
   std::vector<std::vector<int>> neighbours(graph.discs.size());
   for (const auto& [a, b] : forest) neighbours[a].push_back(b), neighbours[b].push_back(a);
   Skeleton tree;

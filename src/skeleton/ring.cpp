@@ -10,8 +10,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// A turn of this much at one vertex is a corner: flattened curves turn less a vertex, and an even sampling that runs past
-/// a corner would cut it. Cosine of 25 degrees.
+/// A turn of this much at one vertex is a corner: flattened curves turn less a vertex, and an even
+/// sampling that runs past a corner would cut it. Cosine of 25 degrees.
 constexpr double kCornerCosine = 0.906;
 
 bool IsCorner(const Vector2d& before, const Vector2d& here, const Vector2d& after) {
@@ -71,7 +71,8 @@ double SignedDistanceToRing(const Ring& ring, const Vector2d& point) {
 
 double Perimeter(const Ring& ring) {
   double sum = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) sum += (ring[(i + 1) % ring.size()] - ring[i]).norm();
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    sum += (ring[(i + 1) % ring.size()] - ring[i]).norm();
   return sum;
 }
 

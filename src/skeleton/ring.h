@@ -38,7 +38,8 @@ struct OutlineSample {
   OutlineKind kind = OutlineKind::kDrawn;
 };
 
-/// Samples at most `spacing` (> 0) apart along the ring, even between corners; corners and ends of kinds are samples.
+/// Samples at most `spacing` (> 0) apart along the ring, even between corners; corners and ends of
+/// kinds are samples.
 std::vector<OutlineSample> SampleOutline(const Outline& outline, double spacing);
 
 }  // namespace lascaux

@@ -11,7 +11,8 @@
 namespace lascaux {
 namespace {
 
-/// How many discs along the tree are asked, before all are, whether one of them alone covers a leaf.
+/// How many discs along the tree are asked, before all are, whether one of them alone covers a
+/// leaf.
 constexpr int kNearbyDiscs = 96;
 /// Uncovered arcs shorter than this, in radians, are rounding.
 constexpr double kArcSlack = 1e-9;
@@ -19,8 +20,12 @@ constexpr double kArcSlack = 1e-9;
 class Peeler {
  public:
   Peeler(const Skeleton& axis, double scale)
-      : axis_(axis), scale_(scale), neighbours_(Neighbours(axis)), alive_(axis.vertices.size(), 1),
-        degree_(axis.vertices.size()), mark_(axis.vertices.size(), -1) {
+      : axis_(axis),
+        scale_(scale),
+        neighbours_(Neighbours(axis)),
+        alive_(axis.vertices.size(), 1),
+        degree_(axis.vertices.size()),
+        mark_(axis.vertices.size(), -1) {
     for (std::size_t v = 0; v < degree_.size(); ++v) {
       degree_[v] = static_cast<int>(neighbours_[v].size());
     }
@@ -46,8 +51,9 @@ class Peeler {
  private:
   bool Covers(int by, int disc) const {
     const double room = scale_ * (axis_.vertices[by].radius - axis_.vertices[disc].radius);
-    return room >= 0 && (axis_.vertices[by].position - axis_.vertices[disc].position).squaredNorm() <=
-                            room * room;
+    return room >= 0 &&
+           (axis_.vertices[by].position - axis_.vertices[disc].position).squaredNorm() <=
+               room * room;
   }
 
   bool CoveredNearby(int leaf) {

@@ -69,8 +69,12 @@ Contour ContourOf(const Skeleton& axis, const std::vector<int>& path, const Tole
 class PathSimplifier {
  public:
   PathSimplifier(const Skeleton& axis, const std::vector<int>& path, Contour contour)
-      : axis_(axis), path_(path), contour_(std::move(contour)), before_(path.size()),
-        after_(path.size()), version_(path.size(), 0) {}
+      : axis_(axis),
+        path_(path),
+        contour_(std::move(contour)),
+        before_(path.size()),
+        after_(path.size()),
+        version_(path.size(), 0) {}
 
   std::vector<int> Run() {
     const int n = static_cast<int>(path_.size());
@@ -143,8 +147,7 @@ double Protrusion(const Skeleton& axis, const std::vector<int>& path, double eno
     for (std::size_t w = 0; w < axis.vertices.size() && least > worst; ++w) {
       if (on_path[w]) continue;
       const SkeletonVertex &disc = axis.vertices[v], &other = axis.vertices[w];
-      least = std::min(
-          least, (disc.position - other.position).norm() + disc.radius - other.radius);
+      least = std::min(least, (disc.position - other.position).norm() + disc.radius - other.radius);
     }
     worst = std::max(worst, least);
     if (worst > enough) break;

@@ -15,8 +15,8 @@ std::vector<std::vector<int>> Neighbours(const Skeleton& tree);
 /// The vertices with keep[v] != 0 and the edges between them, order kept.
 Skeleton Subtree(const Skeleton& tree, const std::vector<char>& keep);
 
-/// Maximal paths whose inner vertices have exactly two neighbours; each vertex of another degree ends the paths that reach
-/// it. Empty for a single vertex.
+/// Maximal paths whose inner vertices have exactly two neighbours; each vertex of another degree
+/// ends the paths that reach it. Empty for a single vertex.
 std::vector<std::vector<int>> Paths(const Skeleton& tree);
 
 }  // namespace lascaux

@@ -7,9 +7,9 @@
 #include "lascaux/base/execution.h"
 #include "lascaux/base/outcome.h"
 #include "lascaux/field/field.h"
+#include "lascaux/skeleton/skeleton.h"
 #include "lascaux/sketch/depth_graph.h"
 #include "lascaux/sketch/parts.h"
-#include "lascaux/skeleton/skeleton.h"
 
 /// @file
 /// The creature: chains of every part, placed in depth, and the field that they make.
@@ -18,7 +18,8 @@
 
 namespace lascaux {
 
-/// A polyline of the skeleton with the radius of the outline at each vertex. In its part's plane, sketch units.
+/// A polyline of the skeleton with the radius of the outline at each vertex. In its part's plane,
+/// sketch units.
 struct Chain {
   std::vector<SkeletonVertex> vertices;
 
@@ -27,12 +28,12 @@ struct Chain {
 
 /// One part, ready to become a field.
 struct CreaturePart {
-  int part = 0;                ///< index in Parts::parts
-  std::vector<Chain> chains;   ///< longest first; each reproduces its own discs
-  std::optional<int> parent;   ///< index in Creature::parts of the part that it blends with
-  double z = 0;                ///< depth of the drawn side, towards the viewer, in sketch units
-  bool mirrored = false;       ///< there is a second one at -z
-  double depth_scale = 1;      ///< thickness in z over thickness in the plane (lambda)
+  int part = 0;               ///< index in Parts::parts
+  std::vector<Chain> chains;  ///< longest first; each reproduces its own discs
+  std::optional<int> parent;  ///< index in Creature::parts of the part that it blends with
+  double z = 0;               ///< depth of the drawn side, towards the viewer, in sketch units
+  bool mirrored = false;      ///< there is a second one at -z
+  double depth_scale = 1;     ///< thickness in z over thickness in the plane (lambda)
 
   bool operator==(const CreaturePart&) const = default;
 };
@@ -45,22 +46,24 @@ struct Creature {
 };
 
 struct PlaceInDepthOptions {
-  double embed_min = 0.35;  ///< smallest share s of a limb's radius that its axis lies inside its parent's surface
-  double embed_max = 1.0;   ///< largest share s: the paper's, the limb's top is flush with the flank
-  double pair_gap = 0.3;    ///< least distance between the two limbs of a pair, in limb radii
-  double torso_depth = 1.0; ///< depth_scale of the body
+  double embed_min =
+      0.35;  ///< smallest share s of a limb's radius that its axis lies inside its parent's surface
+  double embed_max = 1.0;  ///< largest share s: the paper's, the limb's top is flush with the flank
+  double pair_gap = 0.3;   ///< least distance between the two limbs of a pair, in limb radii
+  double torso_depth = 1.0;  ///< depth_scale of the body
 
   bool operator==(const PlaceInDepthOptions&) const = default;
 };
 
 /// Cuts the skeletons into chains and finds the depth of every part.
-Outcome<Creature> PlaceInDepth(const Parts& parts, const DepthGraph& graph, const std::vector<Skeleton>& skeletons,
+Outcome<Creature> PlaceInDepth(const Parts& parts, const DepthGraph& graph,
+                               const std::vector<Skeleton>& skeletons,
                                const PlaceInDepthOptions& options = {});
 
 /// Takes sketch coordinates to the model's: x right and y up as drawn, millimetres.
 struct ModelFrame {
-  double scale = 1;                                   ///< millimetres a sketch unit
-  Eigen::Vector2d shift = Eigen::Vector2d::Zero();    ///< model = (scale x, -scale y) + shift
+  double scale = 1;                                 ///< millimetres a sketch unit
+  Eigen::Vector2d shift = Eigen::Vector2d::Zero();  ///< model = (scale x, -scale y) + shift
 
   Eigen::Vector2d ToModel(const Eigen::Vector2d& sketch) const {
     return Eigen::Vector2d(scale * sketch.x(), -scale * sketch.y()) + shift;
@@ -72,11 +75,13 @@ struct ModelFrame {
   bool operator==(const ModelFrame&) const = default;
 };
 
-/// The frame in which the outlines of the parts that are built are `size` millimetres along their longest side, centred in x
-/// and standing on y = 0 (provisional: the mesh's lowest vertex decides in the end).
+/// The frame in which the outlines of the parts that are built are `size` millimetres along their
+/// longest side, centred in x and standing on y = 0 (provisional: the mesh's lowest vertex decides
+/// in the end).
 ModelFrame FrameOf(const Parts& parts, const DepthGraph& graph, double size);
 
-/// The field of the creature in model units: caps at every chain's end, slopes corrected, mirrored partners.
+/// The field of the creature in model units: caps at every chain's end, slopes corrected, mirrored
+/// partners.
 Field MakeField(const Creature& creature, const ModelFrame& frame, double blend_exponent = 4);
 
 }  // namespace lascaux
