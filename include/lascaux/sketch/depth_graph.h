@@ -29,7 +29,10 @@ struct DepthNode {
   PartRole role = PartRole::kSagittal;
   std::optional<int> parent;  ///< the part that it is placed by; none for the body and ignored parts
   Relation relation = Relation::kNone;
-  std::optional<int> pair;  ///< foreground: one drawn far part, if any; background: its near partner
+  std::optional<int> pair;  ///< foreground: its drawn far part, if any; background: its near partner
+  /// Background parts that are hidden in between show in several pieces: all but the first name the first here,
+  /// and are no part by themselves.
+  std::optional<int> piece_of;
   std::string name;         ///< "body", "limb-1", "limb-1-far", "eye-6", "part-5": unique
 
   bool operator==(const DepthNode&) const = default;

@@ -64,8 +64,8 @@ struct PlanarMap {
   double diagonal = 0;  ///< of the drawing's bounds, the unit of all relative lengths
 
   static int Twin(int half_edge) { return half_edge ^ 1; }
-  int Origin(int half_edge) const { return edges[half_edge / 2].nodes[half_edge % 2]; }
-  int Target(int half_edge) const { return edges[half_edge / 2].nodes[1 - half_edge % 2]; }
+  int Origin(int half_edge) const;
+  int Target(int half_edge) const { return Origin(Twin(half_edge)); }
   /// Points along the half-edge, in its direction.
   std::vector<Eigen::Vector2d> Points(int half_edge) const;
   /// Unit direction in which the half-edge leaves its origin, and in which it arrives at its target.

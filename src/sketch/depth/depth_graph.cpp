@@ -1,0 +1,204 @@
+#include "lascaux/sketch/depth_graph.h"
+
+#include <algorithm>
+#include <string>
+
+#include "sketch/depth/adjacency.h"
+#include "sketch/depth/body.h"
+#include "sketch/depth/pairs.h"
+
+namespace lascaux {
+namespace {
+
+using Eigen::Vector2d;
+using Index = std::size_t;
+
+/// Limbs lie over the part that they were cut from, their far sides under it.
+void PlaceLimbs(const Parts& parts, const std::vector<std::optional<int>>& far_of, DepthGraph& graph) {
+  for (Index i = 0; i < parts.parts.size(); ++i) {
+    DepthNode& node = graph.nodes[i];
+    if (parts.parts[i].kind == PartKind::kLimb) {
+      node.role = PartRole::kForeground;
+      node.parent = parts.parts[i].over;
+      node.relation = Relation::kOver;
+    } else if (far_of[i]) {
+      DepthNode& near = graph.nodes[static_cast<Index>(*far_of[i])];
+      node.role = PartRole::kBackground;
+      node.parent = parts.parts[static_cast<Index>(*far_of[i])].over;
+      node.relation = Relation::kUnder;
+      node.pair = far_of[i];
+      if (near.pair) {
+        node.piece_of = near.pair;
+      } else {
+        near.pair = static_cast<int>(i);
+      }
+    }
+  }
+}
+
+/// Everything else hangs on the part that it shares the longest line with, outwards from the body.
+void PlaceAdjacent(const Parts& parts, const Adjacency& adjacency, DepthGraph& graph) {
+  std::vector<bool> placed(parts.parts.size());
+  for (Index i = 0; i < placed.size(); ++i) {
+    placed[i] = static_cast<int>(i) == graph.body || graph.nodes[i].relation == Relation::kOver;
+  }
+  while (true) {
+    double longest = 0;
+    Index part = 0;
+    int parent = -1;
+    for (Index i = 0; i < placed.size(); ++i) {
+      if (placed[i] || parts.parts[i].kind != PartKind::kBorder || graph.nodes[i].relation == Relation::kUnder) continue;
+      for (const auto& [other, length] : adjacency.shared[i]) {
+        if (!placed[static_cast<Index>(other)] || length <= longest) continue;
+        longest = length;
+        part = i;
+        parent = other;
+      }
+    }
+    if (parent < 0) break;
+    DepthNode& node = graph.nodes[part];
+    const PartRole parent_role = graph.nodes[static_cast<Index>(parent)].role;
+    node.role = parent_role == PartRole::kForeground ? PartRole::kForeground : PartRole::kSagittal;
+    node.parent = parent;
+    node.relation = Relation::kAdjacent;
+    placed[part] = true;
+  }
+  for (Index i = 0; i < placed.size(); ++i) {
+    const bool loose = !placed[i] && parts.parts[i].kind == PartKind::kBorder && graph.nodes[i].relation == Relation::kNone;
+    if (loose) graph.nodes[i].role = PartRole::kIgnored;
+  }
+}
+
+/// Islands lie over and in the innermost part around them (§5.2: a ray cast); limbs are on top of what they cover.
+void PlaceIslands(const Parts& parts, DepthGraph& graph) {
+  for (Index i = 0; i < parts.parts.size(); ++i) {
+    DepthNode& node = graph.nodes[i];
+    if (parts.parts[i].kind == PartKind::kInner) node.role = PartRole::kIgnored;
+    if (parts.parts[i].kind != PartKind::kIsland) continue;
+    const Vector2d at = Centroid(parts.parts[i].outline.points);
+    std::optional<Index> around;
+    for (Index k = 0; k < parts.parts.size(); ++k) {
+      const Part& other = parts.parts[k];
+      const bool solid = other.kind == PartKind::kBorder || other.kind == PartKind::kLimb;
+      if (!solid || !Contains(other.outline.points, at)) continue;
+      const bool inner = !around || SignedArea(other.outline.points) < SignedArea(parts.parts[*around].outline.points);
+      if (inner) around = k;
+    }
+    const bool shows = around && graph.nodes[*around].role != PartRole::kBackground && graph.nodes[*around].role != PartRole::kIgnored;
+    node.role = shows ? PartRole::kIsland : PartRole::kIgnored;
+    if (!shows) continue;
+    node.parent = static_cast<int>(*around);
+    node.relation = Relation::kOverIn;
+  }
+}
+
+/// Parts that hang on something which is not built are not built either.
+void DropOrphans(DepthGraph& graph) {
+  for (bool again = true; again;) {
+    again = false;
+    for (DepthNode& node : graph.nodes) {
+      if (!node.parent || node.role == PartRole::kIgnored) continue;
+      const PartRole role = graph.nodes[static_cast<Index>(*node.parent)].role;
+      if (role != PartRole::kIgnored && role != PartRole::kBackground) continue;
+      node = DepthNode{PartRole::kIgnored, {}, Relation::kNone, {}, {}, {}};
+      again = true;
+    }
+  }
+}
+
+void NameParts(DepthGraph& graph) {
+  int limbs = 0;
+  for (Index i = 0; i < graph.nodes.size(); ++i) {
+    DepthNode& node = graph.nodes[i];
+    const std::string id = std::to_string(i);
+    switch (node.role) {
+      case PartRole::kBody:
+        node.name = "body";
+        break;
+      case PartRole::kForeground:
+        node.name = "limb-" + std::to_string(++limbs);
+        break;
+      case PartRole::kIsland:
+        node.name = "eye-" + id;
+        break;
+      default:
+        node.name = "part-" + id;
+    }
+  }
+  for (DepthNode& node : graph.nodes) {
+    if (node.role == PartRole::kBackground && !node.piece_of) node.name = graph.nodes[static_cast<Index>(*node.pair)].name + "-far";
+  }
+}
+
+void OrderParentsFirst(DepthGraph& graph) {
+  std::vector<bool> done(graph.nodes.size(), false);
+  for (bool again = true; again;) {
+    again = false;
+    for (Index i = 0; i < graph.nodes.size(); ++i) {
+      const DepthNode& node = graph.nodes[i];
+      if (done[i] || node.role == PartRole::kIgnored || (node.parent && !done[static_cast<Index>(*node.parent)])) continue;
+      done[i] = again = true;
+      graph.order.push_back(static_cast<int>(i));
+    }
+  }
+}
+
+}  // namespace
+
+Outcome<DepthGraph> OrderByDepth(const PlanarMap& map, const Parts& parts, const OrderByDepthOptions& options,
+                                 const Execution&) {
+  const Adjacency adjacency = AdjacencyOf(map, parts);
+  Diagnostics log;
+  const auto body = FindBody(parts, adjacency, options).MoveInto(log);
+  if (!body) return Outcome<DepthGraph>::Failure(std::move(log));
+  DepthGraph graph;
+  graph.nodes.resize(parts.parts.size());
+  graph.body = body->part;
+  graph.body_margin = body->margin;
+  PlaceLimbs(parts, FindFarSides(map, parts, adjacency, graph.body), graph);
+  DepthNode& torso = graph.nodes[static_cast<Index>(graph.body)];
+  torso = DepthNode{};
+  torso.role = PartRole::kBody;
+  PlaceAdjacent(parts, adjacency, graph);
+  PlaceIslands(parts, graph);
+  DropOrphans(graph);
+  NameParts(graph);
+  OrderParentsFirst(graph);
+  return {std::move(graph), std::move(log)};
+}
+
+const char* Name(PartRole role) noexcept {
+  switch (role) {
+    case PartRole::kBody:
+      return "body";
+    case PartRole::kForeground:
+      return "foreground";
+    case PartRole::kBackground:
+      return "background";
+    case PartRole::kSagittal:
+      return "sagittal";
+    case PartRole::kIsland:
+      return "island";
+    case PartRole::kIgnored:
+      break;
+  }
+  return "ignored";
+}
+
+const char* Name(Relation relation) noexcept {
+  switch (relation) {
+    case Relation::kOver:
+      return "over";
+    case Relation::kUnder:
+      return "under";
+    case Relation::kAdjacent:
+      return "adjacent";
+    case Relation::kOverIn:
+      return "over-in";
+    case Relation::kNone:
+      break;
+  }
+  return "none";
+}
+
+}  // namespace lascaux

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "sketch/depth/adjacency.h"
+
+/// @file
+/// Far-side partners of limbs (§5.1).
+
+namespace lascaux {
+
+/// For every part the limb whose drawn far side (or a piece of it) it is.
+///
+/// Candidates are border parts that share a line with the limb or are met marching from its root along its parent, in a direction within
+/// 45 degrees of the limb's axis. A part claimed twice goes to the smaller angle, and pieces that touch nothing but a
+/// limb and its far side go with it.
+std::vector<std::optional<int>> FindFarSides(const PlanarMap& map, const Parts& parts, const Adjacency& adjacency, int body);
+
+}  // namespace lascaux

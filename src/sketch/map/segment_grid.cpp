@@ -1,0 +1,65 @@
+#include "sketch/map/segment_grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lascaux {
+namespace {
+
+/// At most so many cells along a side: 512 x 512 cells are 1 MB.
+constexpr double kMaxCellsPerSide = 512;
+
+}  // namespace
+
+SegmentGrid::SegmentGrid(std::vector<SegmentRef> segments) : segments_(std::move(segments)) {
+  if (segments_.empty()) return;
+  double length = 0;
+  for (const SegmentRef& s : segments_) {
+    bounds_.extend(s.a);
+    bounds_.extend(s.b);
+    length += (s.b - s.a).norm();
+  }
+  const double side = bounds_.sizes().maxCoeff();
+  cell_ = std::max({length / static_cast<double>(segments_.size()), side / kMaxCellsPerSide, 1e-300});
+  size_ = CellOf(bounds_.max()) + Eigen::Vector2i::Ones();
+
+  const auto for_cells = [&](const SegmentRef& s, auto&& visit) {
+    const Eigen::Vector2i low = CellOf(s.a.cwiseMin(s.b)), high = CellOf(s.a.cwiseMax(s.b));
+    for (int y = low.y(); y <= high.y(); ++y) {
+      for (int x = low.x(); x <= high.x(); ++x) visit(y * size_.x() + x);
+    }
+  };
+  starts_.assign(static_cast<std::size_t>(size_.x()) * static_cast<std::size_t>(size_.y()) + 1, 0);
+  for (const SegmentRef& s : segments_) {
+    for_cells(s, [&](int c) { ++starts_[static_cast<std::size_t>(c) + 1]; });
+  }
+  for (std::size_t c = 1; c < starts_.size(); ++c) starts_[c] += starts_[c - 1];
+  items_.resize(starts_.back());
+  std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    for_cells(segments_[i],
+              [&](int c) { items_[next[static_cast<std::size_t>(c)]++] = static_cast<int>(i); });
+  }
+}
+
+Eigen::Vector2i SegmentGrid::CellOf(const Eigen::Vector2d& p) const {
+  return ((p - bounds_.min()) / cell_).array().floor().cast<int>();
+}
+
+std::vector<int> SegmentGrid::Candidates(const Eigen::AlignedBox2d& box) const {
+  std::vector<int> found;
+  const Eigen::AlignedBox2d inside = box.intersection(bounds_);
+  if (segments_.empty() || inside.isEmpty()) return found;
+  const Eigen::Vector2i low = CellOf(inside.min()), high = CellOf(inside.max());
+  for (int y = low.y(); y <= high.y(); ++y) {
+    for (int x = low.x(); x <= high.x(); ++x) {
+      const auto c = static_cast<std::size_t>(y * size_.x() + x);
+      found.insert(found.end(), items_.begin() + starts_[c], items_.begin() + starts_[c + 1]);
+    }
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+}  // namespace lascaux

@@ -1,0 +1,172 @@
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "sketch/map/arrangement.h"
+#include "sketch/map/segment_grid.h"
+
+namespace lascaux {
+namespace {
+
+using Eigen::Vector2d;
+
+/// One end of an open line.
+struct LineEnd {
+  int line = 0;
+  bool at_back = false;
+  Vector2d position;
+};
+
+/// Where an end goes: onto another end, or onto a point of a line.
+struct SnapTarget {
+  std::optional<int> end;
+  Vector2d point;
+  double distance = 0;
+};
+
+std::vector<LineEnd> EndsOf(const std::vector<ArrangementLine>& lines) {
+  std::vector<LineEnd> ends;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (lines[i].closed) continue;
+    ends.push_back({static_cast<int>(i), false, lines[i].points.front()});
+    ends.push_back({static_cast<int>(i), true, lines[i].points.back()});
+  }
+  return ends;
+}
+
+Eigen::AlignedBox2d BoxAround(const Vector2d& p, double radius) {
+  const Vector2d r = Vector2d::Constant(radius);
+  return {Vector2d(p - r), Vector2d(p + r)};
+}
+
+/// Index of the first point beyond arc length `reach` from the end; the segments before it are the end's own neighbourhood.
+int ReachFromEnd(const Polyline& points, const LineEnd& end, double reach) {
+  const int n = static_cast<int>(points.size());
+  double s = 0;
+  for (int k = 1; k < n; ++k) {
+    const int i = end.at_back ? n - 1 - k : k, before = end.at_back ? i + 1 : i - 1;
+    s += (points[static_cast<std::size_t>(i)] - points[static_cast<std::size_t>(before)]).norm();
+    if (s >= reach) return i;
+  }
+  return end.at_back ? 0 : n - 1;
+}
+
+bool IsNearOwnEnd(const SegmentRef& segment, const LineEnd& end, int reach) {
+  if (segment.line != end.line) return false;
+  return end.at_back ? segment.index + 1 > reach : segment.index < reach;
+}
+
+/// True when the last `radius` of the line before its end crosses another line: the rest is an overshoot.
+bool Overshoots(const Polyline& points, const LineEnd& end, double radius, const SegmentGrid& grid) {
+  const int reach = ReachFromEnd(points, end, radius), own = ReachFromEnd(points, end, 3 * radius);
+  const int n = static_cast<int>(points.size());
+  const int from = end.at_back ? reach : 0, to = end.at_back ? n - 1 : reach;
+  bool crosses = false;
+  for (int i = from; i < to && !crosses; ++i) {
+    const Vector2d &a = points[static_cast<std::size_t>(i)], &b = points[static_cast<std::size_t>(i + 1)];
+    Eigen::AlignedBox2d box(a);
+    box.extend(b);
+    grid.ForEachIn(box, [&](int s) {
+      const SegmentRef& other = grid.segments()[static_cast<std::size_t>(s)];
+      if (other.line == end.line && IsNearOwnEnd(other, end, own)) return;
+      const auto hit = Intersection(a, b, other.a, other.b);
+      if (!hit) return;
+      const Vector2d at = a + hit->first * (b - a);
+      crosses = crosses || (at - end.position).norm() <= radius;
+    });
+  }
+  return crosses;
+}
+
+/// The nearest other line, or far part of the same line, within `radius`.
+std::optional<SnapTarget> NearestLine(const Polyline& points, const LineEnd& end, double radius,
+                                      const SegmentGrid& grid) {
+  const int own = ReachFromEnd(points, end, 3 * radius);
+  std::optional<SnapTarget> best;
+  grid.ForEachIn(BoxAround(end.position, radius), [&](int s) {
+    const SegmentRef& other = grid.segments()[static_cast<std::size_t>(s)];
+    if (IsNearOwnEnd(other, end, own)) return;
+    const Vector2d point =
+        other.a + NearestParameter(other.a, other.b, end.position) * (other.b - other.a);
+    const double distance = (point - end.position).norm();
+    if (distance <= radius && (!best || distance < best->distance)) best = {{}, point, distance};
+  });
+  return best;
+}
+
+/// The nearest end of another line (or this line's other end) within `radius`.
+std::optional<SnapTarget> NearestEnd(const std::vector<LineEnd>& ends, int self, double radius) {
+  std::optional<SnapTarget> best;
+  for (int i = 0; i < static_cast<int>(ends.size()); ++i) {
+    if (i == self) continue;
+    const double distance =
+        (ends[static_cast<std::size_t>(i)].position - ends[static_cast<std::size_t>(self)].position).norm();
+    if (distance <= radius && (!best || distance < best->distance)) {
+      best = {i, ends[static_cast<std::size_t>(i)].position, distance};
+    }
+  }
+  return best;
+}
+
+int Root(std::vector<int>& parent, int i) {
+  while (parent[static_cast<std::size_t>(i)] != i) {
+    i = parent[static_cast<std::size_t>(i)] = parent[static_cast<std::size_t>(parent[static_cast<std::size_t>(i)])];
+  }
+  return i;
+}
+
+void MoveEnd(Polyline& points, const LineEnd& end, const Vector2d& target, double tiny) {
+  if (end.at_back) std::reverse(points.begin(), points.end());
+  if ((points.front() - target).norm() <= tiny) {
+    points.front() = target;
+  } else {
+    points.insert(points.begin(), target);
+  }
+  if (end.at_back) std::reverse(points.begin(), points.end());
+}
+
+}  // namespace
+
+std::vector<ArrangementLine> SnapEnds(std::vector<ArrangementLine> lines, double diagonal) {
+  std::vector<SegmentRef> segments;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (std::size_t k = 0; k + 1 < lines[i].points.size(); ++k) {
+      segments.push_back({static_cast<int>(i), static_cast<int>(k), lines[i].points[k], lines[i].points[k + 1]});
+    }
+  }
+  const SegmentGrid grid(std::move(segments));
+  const std::vector<LineEnd> ends = EndsOf(lines);
+  std::vector<int> cluster(ends.size());
+  std::iota(cluster.begin(), cluster.end(), 0);
+  std::vector<std::optional<Vector2d>> onto(ends.size());
+
+  for (std::size_t e = 0; e < ends.size(); ++e) {
+    const ArrangementLine& line = lines[static_cast<std::size_t>(ends[e].line)];
+    const double own_length = Length(line.points);
+    // An end that meets an end is a corner, whatever else is near; ties of one line with itself need a real loop.
+    if (auto end = NearestEnd(ends, static_cast<int>(e), line.snap)) {
+      const bool loop = ends[static_cast<std::size_t>(*end->end)].line == ends[e].line;
+      if (!loop || own_length > 6 * line.snap) {
+        cluster[static_cast<std::size_t>(Root(cluster, static_cast<int>(e)))] = Root(cluster, *end->end);
+        continue;
+      }
+    }
+    if (Overshoots(line.points, ends[e], line.snap, grid)) continue;
+    if (const auto target = NearestLine(line.points, ends[e], line.snap, grid)) onto[e] = target->point;
+  }
+  // A cluster of ends meets at the first of them that has a line to lie on, else at the first.
+  std::vector<std::optional<Vector2d>> meeting(ends.size());
+  for (std::size_t e = 0; e < ends.size(); ++e) {
+    auto& at = meeting[static_cast<std::size_t>(Root(cluster, static_cast<int>(e)))];
+    if (!at) at = onto[e] ? *onto[e] : ends[e].position;
+  }
+  const double tiny = 1e-5 * diagonal;
+  for (std::size_t e = 0; e < ends.size(); ++e) {
+    MoveEnd(lines[static_cast<std::size_t>(ends[e].line)].points, ends[e],
+            *meeting[static_cast<std::size_t>(Root(cluster, static_cast<int>(e)))], tiny);
+  }
+  return lines;
+}
+
+}  // namespace lascaux

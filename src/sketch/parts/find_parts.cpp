@@ -1,0 +1,62 @@
+#include <algorithm>
+
+#include "lascaux/sketch/parts.h"
+#include "sketch/parts/limb_cut.h"
+
+namespace lascaux {
+namespace {
+
+/// Islands smaller than this share of the diagonal, squared, are specks.
+constexpr double kSpeck = 4e-3;
+
+Part WholeCycle(const PlanarMap& map, int cycle, PartKind kind) {
+  const Boundary boundary = BoundaryOf(map, cycle);
+  const BoundaryLine line = LineOf(map, boundary);
+  Part part = CutFace({map, boundary, line}, cycle, {}, 0).front();
+  part.kind = kind;
+  return part;
+}
+
+/// True when two lengths of the walk cross: each begins in the other.
+bool Cross(const BoundaryLine& line, const LimbCut& a, const LimbCut& b) {
+  const double own = line.Ahead(a.from, a.to);
+  const bool from = line.Ahead(a.from, b.from) < own, to = line.Ahead(a.from, b.to) < own;
+  return from != to;
+}
+
+std::vector<Part> PartsOf(const PlanarMap& map, int cycle, int first_id, const FindPartsOptions& options) {
+  const Boundary boundary = BoundaryOf(map, cycle);
+  const BoundaryLine line = LineOf(map, boundary);
+  const FaceView face{map, boundary, line};
+  Pairing pairing = PairCurves(face, options);
+  std::vector<LimbCut> limbs = pairing.limbs;
+  for (LimbCut& limb : OneCurveLimbs(face, pairing)) {
+    const bool crossing = std::any_of(limbs.begin(), limbs.end(), [&](const LimbCut& other) { return Cross(line, limb, other); });
+    if (!crossing) limbs.push_back(std::move(limb));
+  }
+  return CutFace(face, cycle, limbs, first_id);
+}
+
+}  // namespace
+
+Outcome<Parts> FindParts(const PlanarMap& map, const FindPartsOptions& options, const Execution&) {
+  Parts result;
+  for (int c = 0; c < static_cast<int>(map.cycles.size()); ++c) {
+    if (map.cycles[static_cast<std::size_t>(c)].kind != CycleKind::kBorder) continue;
+    for (Part& part : PartsOf(map, c, static_cast<int>(result.parts.size()), options)) {
+      result.parts.push_back(std::move(part));
+    }
+  }
+  const double speck = kSpeck * kSpeck * map.diagonal * map.diagonal;
+  for (int c = 0; c < static_cast<int>(map.cycles.size()); ++c) {
+    const MapCycle& cycle = map.cycles[static_cast<std::size_t>(c)];
+    if (cycle.kind == CycleKind::kIsland && cycle.area >= speck) {
+      result.parts.push_back(WholeCycle(map, c, PartKind::kIsland));
+    } else if (cycle.kind == CycleKind::kOther) {
+      result.parts.push_back(WholeCycle(map, c, PartKind::kInner));
+    }
+  }
+  return result;
+}
+
+}  // namespace lascaux

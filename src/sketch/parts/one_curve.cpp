@@ -1,0 +1,146 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "sketch/parts/completion.h"
+#include "sketch/parts/limb_cut.h"
+
+namespace lascaux {
+namespace {
+
+using Eigen::Vector2d;
+
+/// A lone curve speaks for a limb if it is at least this long (share of the diagonal) ...
+constexpr double kShortestAlone = 0.02;
+/// ... and its limb's edge runs on from it this straight.
+constexpr double kStraightOn = std::numbers::pi / 4;
+/// The limb reaches at least this many times the width of its root away from it.
+constexpr double kLeastReach = 1.15;
+/// Width of the root, share of the diagonal: below it is a hair, above it is half the animal.
+constexpr double kLeastWidth = 0.015, kMostWidth = 0.3;
+/// How much wider than at its narrowest the root may be at a corner or junction that is taken for its end.
+constexpr double kFeatureSlack = 1.3;
+/// Steps of the search along the contour, share of the diagonal.
+constexpr double kStep = 2.5e-3;
+/// Turn of the contour that counts as a corner.
+constexpr double kCorner = std::numbers::pi / 6;
+
+/// The contour seen from a closed end: `sign` +1 walks ahead, -1 back.
+struct Walker {
+  const FaceView& face;
+  double start = 0;
+  int sign = 1;
+  double limit = 0;  ///< how far it may go without meeting another limb
+
+  Vector2d At(double s) const { return face.line.At(start + sign * s); }
+};
+
+/// How far the walk may go from `start` before it meets a closed end of a limb that it would have to cross. Limbs
+/// that lie wholly on the way are stepped over by the caller's geometry: they end where they begin.
+double FreeWay(const FaceView& face, const Pairing& pairing, double start, int sign) {
+  double limit = 0.75 * face.line.length;
+  for (const LimbCut& limb : pairing.limbs) {
+    const double enter = sign > 0 ? face.line.Ahead(start, limb.from) : face.line.Ahead(limb.to, start);
+    const double leave = sign > 0 ? face.line.Ahead(start, limb.to) : face.line.Ahead(limb.from, start);
+    // Starting inside another limb's stretch: stay in it. Else: stop where the other begins.
+    limit = std::min(limit, std::min(enter, leave));
+  }
+  return limit;
+}
+
+/// The place beyond the tip where the contour comes nearest to the closed end.
+std::optional<double> NearestBeyondTip(const Walker& walker, double step) {
+  const Vector2d origin = walker.At(0);
+  double farthest = 0, nearest = 0;
+  std::optional<double> place;
+  for (double s = step; s < walker.limit; s += step) {
+    const double d = (walker.At(s) - origin).norm();
+    if (d > farthest && !(place && nearest < 0.6 * farthest)) {
+      farthest = d;
+      place.reset();
+      continue;
+    }
+    if (!place || d < nearest) {
+      place = s;
+      nearest = d;
+    } else if (d > 1.6 * nearest && nearest < farthest / kLeastReach) {
+      break;  // past the waist: what comes now belongs to the parent
+    }
+  }
+  if (!place || nearest > farthest / kLeastReach) return std::nullopt;
+  return place;
+}
+
+/// A corner or a junction of the contour near the narrowest place, if there is one.
+double MovedToFeature(const Walker& walker, double place, double step) {
+  const Vector2d origin = walker.At(0);
+  const double width = (walker.At(place) - origin).norm(), reach = TangentReach(walker.face.map);
+  double best = place, sharpest = kCorner;
+  for (double s = std::max(step, place - width); s < std::min(walker.limit, place + width); s += step) {
+    if ((walker.At(s) - origin).norm() > kFeatureSlack * width) continue;
+    const Vector2d before = walker.At(s) - walker.At(s - reach), after = walker.At(s + reach) - walker.At(s);
+    const double turn = AngleBetween(before, after);
+    if (turn > sharpest) {
+      sharpest = turn;
+      best = s;
+    }
+  }
+  return best;
+}
+
+bool IsInsideFace(const FaceView& face, const Vector2d& a, const Vector2d& b) {
+  for (const double share : {0.2, 0.35, 0.5, 0.65, 0.8}) {
+    if (!Contains(face.line.points, a + share * (b - a))) return false;
+  }
+  return true;
+}
+
+std::optional<LimbCut> LimbOf(const FaceView& face, const Pairing& pairing, const SuggestiveCurve& curve) {
+  const double diagonal = face.map.diagonal, step = kStep * diagonal;
+  if (curve.length < kShortestAlone * diagonal) return std::nullopt;
+  const int sign = curve.turn_after < curve.turn_before ? 1 : -1;
+  if (std::min(curve.turn_after, curve.turn_before) > kStraightOn) return std::nullopt;
+  const double start = face.line.node_arcs[static_cast<std::size_t>(curve.position)];
+  const Walker walker{face, start, sign, FreeWay(face, pairing, start, sign)};
+  const auto nearest = NearestBeyondTip(walker, step);
+  if (!nearest) return std::nullopt;
+  const double place = MovedToFeature(walker, *nearest, step);
+  const Vector2d a = walker.At(0), b = walker.At(place);
+  const double width = (b - a).norm();
+  if (width < kLeastWidth * diagonal || width > kMostWidth * diagonal || !IsInsideFace(face, a, b)) return std::nullopt;
+  // The limb's other flank goes on along the contour as far as its drawn one does inside, if there is room.
+  const double flank = std::min(curve.length, walker.limit - place);
+  Polyline contour;
+  for (double s = 0; s < flank; s += step) Append(contour, {walker.At(place + s)});
+  Append(contour, {walker.At(place + flank)});
+  LimbCut limb{start, face.line.Wrap(start + sign * place), curve.points, contour, LimbEvidence::kOneCurve, 0};
+  const Vector2d tip = ArrivalDirection(contour, TangentReach(face.map));
+  limb.energy = Complete({curve.points.back(), curve.tip}, {contour.back(), tip}).energy;
+  if (sign < 0) {
+    std::swap(limb.from, limb.to);
+    std::swap(limb.from_curve, limb.to_curve);
+  }
+  return limb;
+}
+
+}  // namespace
+
+std::vector<LimbCut> OneCurveLimbs(const FaceView& face, const Pairing& pairing) {
+  // Long curves first: they are the surer limbs, and each limb found is an obstacle for the next.
+  std::vector<int> order = pairing.single;
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+    return face.boundary.curves[static_cast<std::size_t>(a)].length > face.boundary.curves[static_cast<std::size_t>(b)].length;
+  });
+  Pairing known = pairing;
+  std::vector<LimbCut> found;
+  for (const int i : order) {
+    if (const auto limb = LimbOf(face, known, face.boundary.curves[static_cast<std::size_t>(i)])) {
+      found.push_back(*limb);
+      known.limbs.push_back(*limb);
+    }
+  }
+  return found;
+}
+
+}  // namespace lascaux

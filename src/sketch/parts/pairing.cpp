@@ -1,0 +1,160 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "sketch/parts/completion.h"
+#include "sketch/parts/limb_cut.h"
+
+namespace lascaux {
+namespace {
+
+using Eigen::Vector2d;
+
+/// Suggestive curves shorter than this share of the diagonal are hooks of the pen.
+constexpr double kShortest = 0.008;
+/// Cost of leaving a curve single that the outline runs past smoothly: less than any pair but the most plausible.
+constexpr double kDetailCost = 0.05;
+/// Least value of the paper's p: even the best angles leave some of the completions' energy.
+constexpr double kLeastP = 0.05;
+/// Share of the chord between closed ends that has to run through the face.
+constexpr double kChordInside = 0.85;
+
+/// How a limb between curve i and curve j would be connected; the limb owns the walk from i to j.
+struct Candidate {
+  int i = 0, j = 0;
+  double energy = std::numeric_limits<double>::infinity();
+};
+
+/// A mouth, a gill, a wrinkle: the outline passes its end more smoothly than it would turn into it.
+bool IsDetail(const SuggestiveCurve& curve) {
+  return curve.turn_through < 0.7 * std::min(curve.turn_before, curve.turn_after);
+}
+
+double PValue(const Vector2d& arrival, const Vector2d& chord, const Vector2d& curve) {
+  const double alpha = AngleBetween(arrival, chord), beta = AngleBetween(arrival, curve);
+  return std::clamp(beta > 0 ? alpha / beta : 1.0, kLeastP, 1.0);
+}
+
+bool ChordIsInside(const Polyline& ring, const Vector2d& a, const Vector2d& b) {
+  constexpr int kSamples = 20;
+  int inside = 0;
+  for (int i = 1; i <= kSamples; ++i) {
+    inside += Contains(ring, a + (i / (kSamples + 1.0)) * (b - a)) ? 1 : 0;
+  }
+  return inside >= kChordInside * kSamples;
+}
+
+double PairEnergy(const FaceView& face, int i, int j) {
+  const SuggestiveCurve& a = face.boundary.curves[static_cast<std::size_t>(i)];
+  const SuggestiveCurve& b = face.boundary.curves[static_cast<std::size_t>(j)];
+  const double reach = TangentReach(face.map);
+  const Vector2d chord = b.points.front() - a.points.front();
+  const double from = face.line.node_arcs[static_cast<std::size_t>(a.position)];
+  const double to = face.line.node_arcs[static_cast<std::size_t>(b.position)];
+  const Vector2d arrival_a = face.line.DirectionBefore(from, reach);
+  const Vector2d arrival_b = -face.line.DirectionAfter(to, reach);
+  const double p = PValue(arrival_a, chord, a.departure) * PValue(arrival_b, -chord, b.departure);
+  const double closed = Complete({a.points.front(), arrival_a}, {b.points.front(), arrival_b}).energy;
+  const double open = Complete({a.points.back(), a.tip}, {b.points.back(), b.tip}).energy;
+  return p * (open + closed);
+}
+
+/// Interval dynamic programme over the curves in walk order: the non-crossing assignment of least total cost.
+class Assignment {
+ public:
+  Assignment(std::vector<double> single, std::vector<std::vector<Candidate>> pairs)
+      : n_(single.size()), single_(std::move(single)), pairs_(std::move(pairs)) {
+    cost_.assign(n_ + 1, std::vector<double>(n_ + 1, 0));
+    choice_.assign(n_ + 1, std::vector<int>(n_ + 1, -1));
+    for (std::size_t length = 1; length <= n_; ++length) {
+      for (std::size_t i = 0; i + length <= n_; ++i) Solve(i, i + length);
+    }
+  }
+
+  std::vector<Candidate> Chosen() const {
+    std::vector<Candidate> chosen;
+    Collect(0, n_, chosen);
+    return chosen;
+  }
+
+ private:
+  void Solve(std::size_t i, std::size_t end) {
+    double best = single_[i] + cost_[i + 1][end];
+    int choice = -1;
+    for (std::size_t k = i + 1; k < end; ++k) {
+      const double cost = pairs_[i][k].energy + cost_[i + 1][k] + cost_[k + 1][end];
+      if (cost < best) {
+        best = cost;
+        choice = static_cast<int>(k);
+      }
+    }
+    cost_[i][end] = best;
+    choice_[i][end] = choice;
+  }
+
+  void Collect(std::size_t i, std::size_t end, std::vector<Candidate>& chosen) const {
+    while (i < end) {
+      const int k = choice_[i][end];
+      if (k < 0) {
+        ++i;
+        continue;
+      }
+      chosen.push_back(pairs_[i][static_cast<std::size_t>(k)]);
+      Collect(i + 1, static_cast<std::size_t>(k), chosen);
+      i = static_cast<std::size_t>(k) + 1;
+    }
+  }
+
+  std::size_t n_;
+  std::vector<double> single_;
+  std::vector<std::vector<Candidate>> pairs_;
+  std::vector<std::vector<double>> cost_;
+  std::vector<std::vector<int>> choice_;
+};
+
+/// The better of both ways to connect two curves, if the chord runs through the face.
+Candidate BestWay(const FaceView& face, int i, int j) {
+  const auto& curves = face.boundary.curves;
+  const Vector2d &a = curves[static_cast<std::size_t>(i)].points.front(), &b = curves[static_cast<std::size_t>(j)].points.front();
+  if ((a - b).norm() < kShortest * face.map.diagonal || !ChordIsInside(face.line.points, a, b)) return {};
+  const Candidate ahead{i, j, PairEnergy(face, i, j)}, around{j, i, PairEnergy(face, j, i)};
+  return ahead.energy <= around.energy ? ahead : around;
+}
+
+}  // namespace
+
+double TangentReach(const PlanarMap& map) { return 0.012 * map.diagonal; }
+
+Pairing PairCurves(const FaceView& face, const FindPartsOptions& options) {
+  std::vector<int> usable;
+  for (std::size_t i = 0; i < face.boundary.curves.size(); ++i) {
+    if (face.boundary.curves[i].length >= kShortest * face.map.diagonal) usable.push_back(static_cast<int>(i));
+  }
+  const std::size_t n = usable.size();
+  std::vector<double> single(n);
+  std::vector<std::vector<Candidate>> pairs(n, std::vector<Candidate>(n));
+  for (std::size_t i = 0; i < n; ++i) {
+    const SuggestiveCurve& curve = face.boundary.curves[static_cast<std::size_t>(usable[i])];
+    single[i] = IsDetail(curve) ? kDetailCost : options.single_cost;
+    for (std::size_t j = i + 1; j < n; ++j) pairs[i][j] = BestWay(face, usable[i], usable[j]);
+  }
+  Pairing pairing;
+  std::vector<bool> taken(face.boundary.curves.size(), false);
+  for (const Candidate& c : Assignment(single, pairs).Chosen()) {
+    const SuggestiveCurve& a = face.boundary.curves[static_cast<std::size_t>(c.i)];
+    const SuggestiveCurve& b = face.boundary.curves[static_cast<std::size_t>(c.j)];
+    taken[static_cast<std::size_t>(c.i)] = taken[static_cast<std::size_t>(c.j)] = true;
+    pairing.limbs.push_back({face.line.node_arcs[static_cast<std::size_t>(a.position)],
+                             face.line.node_arcs[static_cast<std::size_t>(b.position)], a.points, b.points,
+                             LimbEvidence::kTwoCurves, c.energy});
+  }
+  for (const int i : usable) {
+    const SuggestiveCurve& curve = face.boundary.curves[static_cast<std::size_t>(i)];
+    if (!taken[static_cast<std::size_t>(i)] && !IsDetail(curve)) pairing.single.push_back(i);
+  }
+  return pairing;
+}
+
+}  // namespace lascaux
