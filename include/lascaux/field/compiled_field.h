@@ -98,6 +98,8 @@ inline constexpr double kBoundSlack = 1e-3;
 /// a block and their order; a different Isa may differ within kFloatValueError.
 class CompiledField {
  public:
+  struct Data;
+
   /// `field` must be valid: Validate(field) has no error. `isa` must be supported.
   explicit CompiledField(const Field& field, Isa isa = BestIsa());
 
@@ -132,14 +134,11 @@ class CompiledField {
   Isa isa() const noexcept;
 
  private:
-  struct Data;
   std::shared_ptr<const Data> data_;
 };
 
-/// SignedDistance() of each sample, in single precision: relative error 1e-5 of it where F is
-/// within [0.01, 2.5]; clamped to
-/// [-limit, limit], which is also what is returned where F is 0 (+limit) or its gradient vanishes
-/// inside (-limit).
+/// SignedDistance() of each sample in single precision, within 1e-5 / |grad psi| of it (about 1e-5
+/// local radii); clamped to [-limit, limit].
 ///
 /// `distances` has as many elements as there are samples.
 void SignedDistances(const SampleBlock& samples, float limit, std::span<float> distances,

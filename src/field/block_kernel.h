@@ -1,0 +1,108 @@
+#pragma once
+
+#include <cstdint>
+
+/// @file
+/// What the vector code gets and gives: plain structs and pointers, since it is compiled once for
+/// each instruction set and must not share an inline function with code that is not.
+
+namespace lascaux::internal {
+
+/// Points are taken this many at a time: their samples stay in the first-level cache, and the
+/// set-up of a primitive is shared by many. A multiple of every vector's width.
+inline constexpr int kTile = 128;
+
+/// Primitives whose bounds are computed together.
+inline constexpr int kBoundTile = 16;
+
+/// A segment seen from a block's origin, in units of its larger end's radius (internal notes in
+/// segment_integral.h).
+struct KernelSegment {
+  float x, y, z;     ///< (origin - A) / tau0
+  float ux, uy, uz;  ///< unit direction from the larger end
+  float inv_tau;     ///< 1 / tau0
+  float slope;       ///< g <= 0
+  float y_end;       ///< length / smaller radius
+};
+
+/// A point primitive seen from a block's origin.
+struct KernelPoint {
+  float x, y, z;  ///< (origin - center) / radius
+  float inv_radius;
+  float norm;  ///< weight times N0
+};
+
+/// Ranges of primitives that are added.
+struct KernelChain {
+  std::uint32_t segments_begin, segments_end, points_begin, points_end;
+};
+
+/// Chains that are blended, and what to do with the result.
+struct KernelPart {
+  std::uint32_t chains_begin, chains_end;
+  std::uint32_t slot;       ///< where its samples are kept for its children: its depth in the tree
+  bool blends_with_parent;  ///< the samples in slot - 1 are its parent's
+  float inv_depth_scale;
+};
+
+/// A Ricci exponent: 2^squarings, or any n when squarings is negative.
+struct KernelExponent {
+  int squarings;
+  float n;
+};
+
+/// A field, or the part of it that reaches a block.
+struct KernelProgram {
+  const KernelSegment* segments;
+  const KernelPoint* points;
+  const KernelChain* chains;
+  const KernelPart* parts;
+  std::uint32_t part_count;
+  KernelExponent chain_exponent, part_exponent;
+};
+
+/// kTile values and gradients, aligned to 64 bytes.
+struct alignas(64) KernelSamples {
+  float value[kTile], x[kTile], y[kTile], z[kTile];
+};
+
+/// kTile points as offsets from the origin.
+struct alignas(64) KernelPoints {
+  float x[kTile], y[kTile], z[kTile];
+};
+
+/// kBoundTile segments seen from the centre of a ball each, lengths in units of their larger radii.
+struct alignas(64) KernelBalls {
+  float x[kBoundTile], y[kBoundTile], z[kBoundTile];  ///< (center - A) / tau0
+  float ux[kBoundTile], uy[kBoundTile], uz[kBoundTile];
+  float slope[kBoundTile], y_end[kBoundTile];
+  float length[kBoundTile];  ///< of the segment
+  float radius[kBoundTile];  ///< of the ball
+};
+
+struct alignas(64) KernelBounds {
+  float lower[kBoundTile], upper[kBoundTile];
+};
+
+/// One build of the vector code.
+struct BlockKernel {
+  /// F at kTile points, gradients left alone. `slots` is memory for one set of samples a depth and
+  /// one more.
+  void (*values)(const KernelProgram&, const KernelPoints&, KernelSamples* slots,
+                 KernelSamples* result);
+  /// F and its gradient.
+  void (*samples)(const KernelProgram&, const KernelPoints&, KernelSamples* slots,
+                  KernelSamples* result);
+  /// Bounds of each segment's field on its ball.
+  void (*bounds)(const KernelBalls&, KernelBounds* bounds);
+  /// Signed distances of `count` samples, at most kTile, clamped to [-limit, limit].
+  void (*distances)(const KernelSamples&, float limit, float* distances);
+};
+
+const BlockKernel& BaselineKernel();
+#ifdef LASCAUX_X86_KERNELS
+const BlockKernel& Avx2Kernel();
+const BlockKernel& Avx512Kernel();
+#endif
+
+}  // namespace lascaux::internal

@@ -1,0 +1,2 @@
+#define LASCAUX_KERNEL Avx2Kernel
+#include "block_kernel.inc"

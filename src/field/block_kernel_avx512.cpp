@@ -1,0 +1,2 @@
+#define LASCAUX_KERNEL Avx512Kernel
+#include "block_kernel.inc"

@@ -1,0 +1,2 @@
+#define LASCAUX_KERNEL BaselineKernel
+#include "block_kernel.inc"

@@ -1,0 +1,221 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "compiled_data.h"
+
+namespace lascaux {
+namespace {
+
+using internal::kBoundTile;
+using internal::KernelBalls;
+using internal::KernelBounds;
+
+struct Range {
+  double lower = 0, upper = 0;
+};
+
+Range Ricci(const Range& a, const Range& b, const internal::RicciExponent& n) {
+  const auto blend = [&n](double x, double y) {
+    const double high = std::max(x, y);
+    return high > 0 ? high * n.Root(1 + n.Power(std::min(x, y) / high)) : 0;
+  };
+  return {blend(a.lower, b.lower), blend(a.upper, b.upper)};
+}
+
+/// What is known of a tip's last piece, whose field has no bound at the tip: more than any other
+/// field has.
+constexpr float kAnything = 1e4f;
+
+/// A part that reaches the ball, with its own primitives in the list that is being made.
+struct Reached {
+  std::uint32_t part = 0;
+  std::size_t begin = 0, end = 0;
+  Range own;
+  Range branch;  ///< blended with its parent
+  int parent = -1;
+  bool matters = true;
+};
+
+/// Goes through a list of primitives, bounds each on the ball and adds up.
+class BallPass {
+ public:
+  BallPass(const CompiledField::Data& data, const Ball& ball, std::vector<std::uint32_t> kept)
+      : data_(data), ball_(ball), kept_(std::move(kept)) {
+    kept_.clear();
+  }
+
+  BallBounds Run(const ActiveSet& in) {
+    for (const std::uint32_t id : in.primitives) Consider(id);
+    Flush();
+    EndPart();
+    return Finish();
+  }
+
+ private:
+  void Consider(std::uint32_t id);
+  void Flush();
+  void Take(std::uint32_t id, const Range& range);
+  Range OfPoint(const CompiledPrimitive& primitive) const;
+  void EndChain();
+  void EndPart();
+  BallBounds Finish();
+
+  const CompiledField::Data& data_;
+  const Ball& ball_;
+  std::vector<std::uint32_t> kept_;
+  std::vector<Reached> reached_;
+
+  std::uint32_t entered_ = ~0u;  ///< part that center_ and radius_ are for
+  Eigen::Vector3d center_ = Eigen::Vector3d::Zero();
+  double radius_ = 0;
+
+  KernelBalls tile_;
+  std::array<std::uint32_t, kBoundTile> tile_ids_;
+  std::array<Range, kBoundTile> tile_ranges_;  ///< of points, which need no vector code
+  int tile_count_ = 0;
+
+  std::uint32_t chain_ = ~0u;
+  Range chain_range_;
+};
+
+void BallPass::Consider(std::uint32_t id) {
+  const CompiledPrimitive& primitive = data_.primitives[id];
+  const std::uint32_t part = data_.chain_part[primitive.chain];
+  if (part != entered_) {
+    entered_ = part;
+    center_ = internal::Flatten(data_.parts[part], ball_.center);
+    // The flat space stretches the ball along z; the ball around what it becomes.
+    radius_ = ball_.radius * std::max(1.0, data_.parts[part].inv_depth_scale);
+  }
+  if (primitive.box.squaredExteriorDistance(center_) >= radius_ * radius_) return;
+
+  const auto k = static_cast<std::size_t>(tile_count_);
+  tile_ids_[k] = id;
+  if (primitive.is_point()) tile_ranges_[k] = OfPoint(primitive);
+  const Eigen::Vector3f w = ((center_ - primitive.place) / primitive.radius).cast<float>();
+  tile_.x[k] = w.x();
+  tile_.y[k] = w.y();
+  tile_.z[k] = w.z();
+  tile_.ux[k] = primitive.ux;
+  tile_.uy[k] = primitive.uy;
+  tile_.uz[k] = primitive.uz;
+  tile_.slope[k] = primitive.slope;
+  tile_.y_end[k] = primitive.y_end;
+  tile_.length[k] = primitive.length;
+  tile_.radius[k] = static_cast<float>(radius_ / primitive.radius);
+  if (++tile_count_ == kBoundTile) Flush();
+}
+
+Range BallPass::OfPoint(const CompiledPrimitive& primitive) const {
+  const double distance = (center_ - primitive.place).norm();
+  const auto kernel = [&](double r) {
+    const double w = r / primitive.radius;
+    const double p = std::max(1 - w * w / 4, 0.0);
+    return primitive.norm * p * p * p;
+  };
+  return {kernel(distance + radius_), kernel(std::max(distance - radius_, 0.0))};
+}
+
+void BallPass::Flush() {
+  if (tile_count_ == 0) return;
+  const auto copy_first = [this](float* column) {
+    std::fill(column + tile_count_, column + kBoundTile, column[0]);
+  };
+  for (float* column : {tile_.x, tile_.y, tile_.z, tile_.ux, tile_.uy, tile_.uz, tile_.slope,
+                        tile_.y_end, tile_.length, tile_.radius}) {
+    copy_first(column);
+  }
+  KernelBounds bounds;
+  data_.kernel->bounds(tile_, &bounds);
+  for (int k = 0; k < tile_count_; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const CompiledPrimitive& primitive = data_.primitives[tile_ids_[i]];
+    Range range = tile_ranges_[i];
+    if (primitive.tip) {
+      range = {0, kAnything};
+    } else if (!primitive.is_point()) {
+      range = {bounds.lower[k], bounds.upper[k]};
+    }
+    if (range.upper > 0) Take(tile_ids_[i], range);
+  }
+  tile_count_ = 0;
+}
+
+void BallPass::Take(std::uint32_t id, const Range& range) {
+  const std::uint32_t chain = data_.primitives[id].chain;
+  const std::uint32_t part = data_.chain_part[chain];
+  if (reached_.empty() || reached_.back().part != part) {
+    EndPart();
+    reached_.emplace_back();
+    reached_.back().part = part;
+    reached_.back().begin = kept_.size();
+  }
+  if (chain != chain_) {
+    EndChain();
+    chain_ = chain;
+  }
+  chain_range_.lower += range.lower;
+  chain_range_.upper += range.upper;
+  kept_.push_back(id);
+}
+
+void BallPass::EndChain() {
+  if (chain_ == ~0u) return;
+  Range& own = reached_.back().own;
+  own = Ricci(own, chain_range_, data_.chain_exponent);
+  chain_range_ = {};
+  chain_ = ~0u;
+}
+
+void BallPass::EndPart() {
+  EndChain();
+  if (reached_.empty()) return;
+  reached_.back().end = kept_.size();
+}
+
+BallBounds BallPass::Finish() {
+  Range all;
+  for (std::size_t i = 0; i < reached_.size(); ++i) {
+    Reached& here = reached_[i];
+    here.branch = here.own;
+    const int parent = data_.parts[here.part].parent;
+    for (std::size_t k = 0; parent >= 0 && k < i; ++k) {
+      if (reached_[k].part != static_cast<std::uint32_t>(parent)) continue;
+      here.parent = static_cast<int>(k);
+      here.branch = Ricci(here.own, reached_[k].own, data_.part_exponent);
+    }
+    all.lower = std::max(all.lower, here.branch.lower);
+    all.upper = std::max(all.upper, here.branch.upper);
+  }
+  // A branch that stays below another one everywhere on the ball never is the maximum. Its
+  // primitives go, unless a child's branch that may be needs them.
+  const double reliable = all.lower * (1 - kBoundSlack);
+  for (Reached& here : reached_) here.matters = false;
+  for (Reached& here : reached_) {
+    if (here.branch.upper * (1 + kBoundSlack) < reliable) continue;
+    here.matters = true;
+    if (here.parent >= 0) reached_[static_cast<std::size_t>(here.parent)].matters = true;
+  }
+  std::size_t count = 0;
+  for (const Reached& here : reached_) {
+    if (!here.matters) continue;
+    std::copy(kept_.begin() + static_cast<std::ptrdiff_t>(here.begin),
+              kept_.begin() + static_cast<std::ptrdiff_t>(here.end),
+              kept_.begin() + static_cast<std::ptrdiff_t>(count));
+    count += here.end - here.begin;
+  }
+  kept_.resize(count);
+  return {{static_cast<float>(reliable), static_cast<float>(all.upper * (1 + kBoundSlack))},
+          {std::move(kept_)}};
+}
+
+}  // namespace
+
+BallBounds CompiledField::BoundOnBall(const Ball& ball, const ActiveSet& in,
+                                      ActiveSet reuse) const {
+  return BallPass(*data_, ball, std::move(reuse.primitives)).Run(in);
+}
+
+}  // namespace lascaux
