@@ -33,24 +33,43 @@ Json DepthJson(const Model& model, int part) {
   return nullptr;
 }
 
-/// Parts that are ignored are no part of the model; their places are in the parse picture.
+/// The part whose entry in the report holds this one. A far limb that is seen in several pieces is
+/// one part with several outlines: the piece that its near partner names holds the others.
+int EntryOf(const DepthGraph& graph, int part) {
+  const DepthNode& node = graph.nodes[static_cast<std::size_t>(part)];
+  if (node.role != PartRole::kBackground || !node.pair) return part;
+  return graph.nodes[static_cast<std::size_t>(*node.pair)].pair.value_or(part);
+}
+
+Json OutlinesJson(const Model& model, int entry) {
+  Json json = Json::array();
+  for (int i = 0; i < static_cast<int>(model.graph->nodes.size()); ++i)
+    if (EntryOf(*model.graph, i) == entry)
+      json.push_back(RingJson(model.parts->parts[static_cast<std::size_t>(i)].outline.points));
+  return json;
+}
+
+Json PartJson(const Model& model, int part) {
+  const DepthNode& node = model.graph->nodes[static_cast<std::size_t>(part)];
+  const bool related = node.relation != Relation::kNone;
+  return {{"id", part},
+          {"name", node.name},
+          {"role", Name(node.role)},
+          {"parent", node.parent ? Json(EntryOf(*model.graph, *node.parent)) : Json()},
+          {"relation", related ? Json(Name(node.relation)) : Json()},
+          {"pair", OrNull(node.pair)},
+          {"z", DepthJson(model, part)},
+          {"outlines", OutlinesJson(model, part)}};
+}
+
+/// Parts that are ignored are no part of the model; the parse picture shows them.
 Json PartsJson(const Model& model) {
   Json json = Json::array();
   if (!model.graph) return json;
-  for (int i = 0; i < static_cast<int>(model.graph->nodes.size()); ++i) {
-    const DepthNode& node = model.graph->nodes[static_cast<std::size_t>(i)];
-    if (node.role == PartRole::kIgnored) continue;
-    const bool related = node.relation != Relation::kNone;
-    const auto& ring = model.parts->parts[static_cast<std::size_t>(i)].outline.points;
-    json.push_back({{"id", i},
-                    {"name", node.name},
-                    {"role", Name(node.role)},
-                    {"parent", OrNull(node.parent)},
-                    {"relation", related ? Json(Name(node.relation)) : Json()},
-                    {"pair", OrNull(node.pair)},
-                    {"z", DepthJson(model, i)},
-                    {"outlines", Json::array({RingJson(ring)})}});
-  }
+  for (int i = 0; i < static_cast<int>(model.graph->nodes.size()); ++i)
+    if (model.graph->nodes[static_cast<std::size_t>(i)].role != PartRole::kIgnored &&
+        EntryOf(*model.graph, i) == i)
+      json.push_back(PartJson(model, i));
   return json;
 }
 

@@ -1,0 +1,111 @@
+#include "command_line.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace lascaux {
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+CommandLine Understood(const Arguments& arguments) {
+  auto parsed = ParseCommandLine(arguments);
+  if (const auto* answer = std::get_if<Answer>(&parsed)) ADD_FAILURE() << answer->text;
+  return std::get<CommandLine>(parsed);
+}
+
+Answer Answered(const Arguments& arguments) {
+  const auto parsed = ParseCommandLine(arguments);
+  const auto* answer = std::get_if<Answer>(&parsed);
+  return answer == nullptr ? Answer{ExitCode::kBug, "understood"} : *answer;
+}
+
+TEST(CommandLine, OptionsSetTheFieldsOfTheStages) {
+  const CommandLine line =
+      Understood({"build",  "a.svg",    "b.svg",  "-o",           "{}.vdb",  "-o",
+                  "{}.stl", "--report", "{}.txt", "--body",       "12.5,-3", "--blend",
+                  "2",      "--size",   "50",     "--resolution", "128",     "--threads",
+                  "3",      "--units",  "cm",     "--no-timings", "--quiet"});
+  const CommandOptions& options = line.options;
+  EXPECT_EQ(line.verb, Verb::kBuild);
+  EXPECT_EQ(line.threads, 3);
+  EXPECT_EQ(options.sketches, (Arguments{"a.svg", "b.svg"}));
+  EXPECT_EQ(options.outputs, (Arguments{"{}.vdb", "{}.stl"}));
+  EXPECT_EQ(options.reports, (Arguments{"{}.txt"}));
+  EXPECT_EQ(options.pipeline.depth.body, Eigen::Vector2d(12.5, -3));
+  EXPECT_EQ(options.pipeline.blend, 2);
+  EXPECT_EQ(options.pipeline.size, 50);
+  EXPECT_DOUBLE_EQ(options.pipeline.VoxelSize(), 50.0 / 128);
+  EXPECT_EQ(options.write.unit, Unit::kCentimetre);
+  EXPECT_EQ(options.write.timings, ReportTimings::kWithout);
+  EXPECT_EQ(options.verbosity, Verbosity::kQuiet);
+}
+
+TEST(CommandLine, DefaultsAreThoseOfTheDocumentation) {
+  const CommandLine line = Understood({"build", "a.svg"});
+  EXPECT_EQ(line.threads, 0);
+  EXPECT_DOUBLE_EQ(line.options.pipeline.VoxelSize(), 100.0 / 256);
+  EXPECT_EQ(line.options.write.unit, Unit::kMetre);
+  EXPECT_EQ(line.options.pipeline.blend, 4);
+}
+
+TEST(CommandLine, VoxelSizeDecidesInsteadOfTheResolution) {
+  EXPECT_EQ(Understood({"build", "a.svg", "--voxel-size", "0.2"}).options.pipeline.VoxelSize(),
+            0.2);
+}
+
+TEST(CommandLine, WrongOnesAreRefusedInOneLine) {
+  const std::vector<Arguments> wrong = {
+      {},
+      {"bild", "a.svg"},
+      {"build"},
+      {"build", "a.svg", "--resolution", "0"},
+      {"build", "a.svg", "--resolution", "-5"},
+      {"build", "a.svg", "--resolution", "many"},
+      {"build", "a.svg", "--resolution", "1e300"},
+      {"build", "a.svg", "--voxel-size", "nan"},
+      {"build", "a.svg", "--voxel-size", "inf"},
+      {"build", "a.svg", "--voxel-size", "0.1", "--resolution", "64"},
+      {"build", "a.svg", "--size", "-1"},
+      {"build", "a.svg", "--blend", "0.5"},
+      {"build", "a.svg", "--blend", "nan"},
+      {"build", "a.svg", "--body", "3"},
+      {"build", "a.svg", "--body", "nan,3"},
+      {"build", "a.svg", "--threads", "0"},
+      {"build", "a.svg", "--units", "inch"},
+      {"build", "a.svg", "--wings", "2"},
+      {"build", "-", "--format", "pdf"},
+      {"inspect", "a.svg"},
+  };
+  for (const Arguments& arguments : wrong) {
+    const Answer answer = Answered(arguments);
+    std::string shown;
+    for (const std::string& argument : arguments) shown += argument + " ";
+    EXPECT_EQ(answer.code, ExitCode::kUsage) << shown << answer.text;
+    EXPECT_EQ(answer.text.find("lascaux: error: usage: "), 0u) << shown << answer.text;
+    EXPECT_EQ(answer.text.find('\n'), answer.text.size() - 1) << shown << answer.text;
+  }
+}
+
+TEST(CommandLine, WhatIsNotSupportedSaysWhatIs) {
+  EXPECT_NE(Answered({"build", "a.svg", "--pose", "drawn"}).text.find("symmetric"),
+            std::string::npos);
+  EXPECT_NE(Answered({"build", "a.svg", "--overrides", "x.json"}).text.find("--body"),
+            std::string::npos);
+  EXPECT_EQ(Understood({"build", "a.svg", "--pose", "symmetric"}).verb, Verb::kBuild);
+}
+
+TEST(CommandLine, HelpBeginsWithExamples) {
+  const Answer help = Answered({"--help"});
+  EXPECT_EQ(help.code, ExitCode::kSuccess);
+  EXPECT_LT(help.text.find("Examples:"), help.text.find("Usage:"));
+  EXPECT_EQ(help.text.find("overrides"), std::string::npos);
+  EXPECT_NE(Answered({"build", "--help"}).text.find("--resolution"), std::string::npos);
+  EXPECT_NE(Answered({"--version"}).text.find("OpenVDB"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace lascaux

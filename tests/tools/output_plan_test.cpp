@@ -1,0 +1,81 @@
+#include "output_plan.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace lascaux {
+namespace {
+
+using Names = std::vector<std::string>;
+
+std::vector<std::string> Paths(const Names& sketches, const std::vector<OutputRequest>& requests) {
+  Diagnostics log;
+  const auto plan = PlanOutputs(sketches, requests).MoveInto(log);
+  std::vector<std::string> paths;
+  if (!plan) return {"error: " + log.front().code};
+  for (const auto& targets : *plan)
+    for (const OutputTarget& target : targets) paths.push_back(target.path.string());
+  return paths;
+}
+
+TEST(OutputPlan, EndingsNameFormatsInAnyCase) {
+  Diagnostics log;
+  const auto requests =
+      ReadOutputNames(Verb::kBuild, {"a.vdb", "a.STL", "a.ply", "a.png", "a.json", "a.svg"})
+          .MoveInto(log);
+  ASSERT_TRUE(requests);
+  const std::vector kinds = {OutputKind::kVdb, OutputKind::kStl,    OutputKind::kPly,
+                             OutputKind::kPng, OutputKind::kReport, OutputKind::kParsePicture};
+  for (std::size_t i = 0; i < kinds.size(); ++i) EXPECT_EQ((*requests)[i].kind, kinds[i]);
+}
+
+TEST(OutputPlan, InspectWritesPictureAndDump) {
+  Diagnostics log;
+  const auto requests = ReadOutputNames(Verb::kInspect, {"a.svg", "a.json"}).MoveInto(log);
+  ASSERT_TRUE(requests);
+  EXPECT_EQ((*requests)[0].kind, OutputKind::kParsePicture);
+  EXPECT_EQ((*requests)[1].kind, OutputKind::kParseDump);
+  EXPECT_FALSE(ReadOutputNames(Verb::kInspect, {"a.stl"}).ok());
+}
+
+TEST(OutputPlan, UnknownEndingsAreRefusedWithTheListOfKnownOnes) {
+  for (const char* name : {"a.glb", "a.3mf", "a.obj", "a.usda", "a.exr", "a", "a."}) {
+    const auto outcome = ReadOutputNames(Verb::kBuild, {name});
+    ASSERT_FALSE(outcome.ok()) << name;
+    EXPECT_EQ(outcome.diagnostics().front().code, "unknown-format");
+    EXPECT_EQ(outcome.diagnostics().front().failure, FailureKind::kUsage);
+    EXPECT_NE(outcome.diagnostics().front().message.find(".vdb .stl .ply"), std::string::npos);
+  }
+  EXPECT_EQ(ReadOutputNames(Verb::kBuild, {"-"}).diagnostics().front().code, "stdout-output");
+}
+
+TEST(OutputPlan, BracesStandForTheSketchsNameWithoutItsEnding) {
+  EXPECT_EQ(Paths({"in/cat.svg", "dog.tiny.svg"}, {{OutputKind::kStl, "out/{}.stl"}}),
+            (Names{"out/cat.stl", "out/dog.tiny.stl"}));
+  EXPECT_EQ(Paths({"-"}, {{OutputKind::kStl, "{}/{}.stl"}}), (Names{"stdin/stdin.stl"}));
+  EXPECT_EQ(Paths({"cat.svg"}, {{OutputKind::kStl, "out.stl"}}), (Names{"out.stl"}));
+}
+
+TEST(OutputPlan, SeveralSketchesNeedBraces) {
+  EXPECT_EQ(Paths({"a.svg", "b.svg"}, {{OutputKind::kStl, "out.stl"}}),
+            (Names{"error: output-name"}));
+}
+
+TEST(OutputPlan, NoOutputIsWrittenTwice) {
+  EXPECT_EQ(Paths({"x/a.svg", "y/a.svg"}, {{OutputKind::kStl, "{}.stl"}}),
+            (Names{"error: output-name"}));
+  EXPECT_EQ(Paths({"a.svg"}, {{OutputKind::kStl, "o.stl"}, {OutputKind::kStl, "./o.stl"}}),
+            (Names{"error: output-name"}));
+}
+
+TEST(OutputPlan, NoInputIsOverwritten) {
+  EXPECT_EQ(Paths({"a.svg"}, {{OutputKind::kParsePicture, "./a.svg"}}),
+            (Names{"error: output-name"}));
+  EXPECT_EQ(Paths({"a.svg", "b.svg"}, {{OutputKind::kParsePicture, "{}.svg"}}),
+            (Names{"error: output-name"}));
+}
+
+}  // namespace
+}  // namespace lascaux
