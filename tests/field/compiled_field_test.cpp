@@ -37,9 +37,7 @@ struct Block {
     }
     for (std::vector<float>* column : {&value, &gx, &gy, &gz}) column->resize(x.size());
   }
-  Eigen::Vector3d Point(std::size_t i) const {
-    return origin + Eigen::Vector3d(x[i], y[i], z[i]);
-  }
+  Eigen::Vector3d Point(std::size_t i) const { return origin + Eigen::Vector3d(x[i], y[i], z[i]); }
   PointBlock points() const { return {origin, x, y, z}; }
   SampleBlock samples() { return {value, gx, gy, gz}; }
   Eigen::Vector3d Gradient(std::size_t i) const { return {gx[i], gy[i], gz[i]}; }
@@ -59,7 +57,8 @@ TEST(CompiledField, AgreesWithDoublePrecisionForEveryInstructionSet) {
         const FieldSample exact = Evaluate(field, block.Point(i));
         const double scale = std::max(1.0, exact.value / 4);
         worst_value = std::max(worst_value, std::abs(block.value[i] - exact.value) / scale);
-        worst_gradient = std::max(worst_gradient, (block.Gradient(i) - exact.gradient).norm() * thinnest / scale);
+        worst_gradient = std::max(worst_gradient,
+                                  (block.Gradient(i) - exact.gradient).norm() * thinnest / scale);
         ASSERT_LE(std::abs(block.value[i] - exact.value), kFloatValueError * scale) << exact.value;
       }
     });
