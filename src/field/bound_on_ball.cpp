@@ -89,7 +89,7 @@ void BallPass::Consider(std::uint32_t id) {
     // The flat space stretches the ball along z; the ball around what it becomes.
     radius_ = ball_.radius * std::max(1.0, data_.parts[part].inv_depth_scale);
   }
-  if (primitive.box.squaredExteriorDistance(center_) >= radius_ * radius_) return;
+  if (primitive.box.squaredExteriorDistance(center_) > radius_ * radius_) return;
 
   const auto k = static_cast<std::size_t>(tile_count_);
   tile_ids_[k] = id;
