@@ -34,8 +34,8 @@ inline constexpr float kLeastPsiFloat = 0.25f;
 /// Where the bounds on a ball are sharpest, in local radii beyond the nearest place of the segment;
 /// and the least distance for it, in radii of the ball, which must be above 1. Chosen for the
 /// tightest bounds on random blocks.
-inline constexpr float kTypicalOffset = 0.3f;
-inline constexpr float kLeastTouch = 1.2f;
+inline constexpr float kTypicalOffset = 0.1f;
+inline constexpr float kLeastTouch = 1.05f;
 
 /// The dominating quadratic is used while its curvature is at least this share of its terms.
 inline constexpr float kLeastShape = 0.02f;
