@@ -13,10 +13,9 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Fit of the radius of an infinite cone's field against its slope.
-constexpr double kSlopeExcess = 0.4;
-/// A medial axis has no steeper slope.
-constexpr double kSteepest = 1.0;
+/// Of an edge, in mean radii: with fewer vertices the fit has to trade them off against each other,
+/// and radii run away.
+constexpr double kLongestPiece = 1.0;
 constexpr double kThinnestTip = 1e-3;
 
 /// Walks over the edges that no chain has taken yet.
@@ -89,31 +88,30 @@ class ChainCutter {
   double length_ = 0;
 };
 
-double SlopeOf(const SkeletonVertex& a, const SkeletonVertex& b) {
-  const double length = (b.position - a.position).norm();
-  const double rise = std::abs(b.radius - a.radius);
-  return length > 0 ? std::min(rise / length, kSteepest) : 0.0;
-}
-
 }  // namespace
 
 std::vector<Chain> CutIntoChains(const Skeleton& tree) { return ChainCutter(tree).Cut(); }
 
-Chain SlopeCorrected(const Chain& chain) {
-  Chain corrected = chain;
-  const std::size_t n = chain.vertices.size();
+Chain Refined(const Chain& chain) {
+  Chain refined;
   double largest = 0;
   for (const SkeletonVertex& v : chain.vertices) largest = std::max(largest, v.radius);
-  for (std::size_t i = 0; i < n; ++i) {
-    double squares = 0, count = 0;
-    if (i > 0) squares += std::pow(SlopeOf(chain.vertices[i - 1], chain.vertices[i]), 2), ++count;
-    if (i + 1 < n)
-      squares += std::pow(SlopeOf(chain.vertices[i], chain.vertices[i + 1]), 2), ++count;
-    double& radius = corrected.vertices[i].radius;
-    if (count > 0) radius /= 1 + kSlopeExcess * squares / count;
-    radius = std::max(radius, kThinnestTip * largest);
+  for (const SkeletonVertex& next : chain.vertices) {
+    if (!refined.vertices.empty()) {
+      const SkeletonVertex last = refined.vertices.back();
+      const double length = (next.position - last.position).norm();
+      const double mean = (next.radius + last.radius) / 2;
+      const int pieces = std::max(1, static_cast<int>(std::ceil(length / (kLongestPiece * mean))));
+      for (int i = 1; i < pieces; ++i) {
+        const double t = static_cast<double>(i) / pieces;
+        refined.vertices.push_back({last.position + t * (next.position - last.position),
+                                    last.radius + t * (next.radius - last.radius)});
+      }
+    }
+    refined.vertices.push_back(next);
   }
-  return corrected;
+  for (SkeletonVertex& v : refined.vertices) v.radius = std::max(v.radius, kThinnestTip * largest);
+  return refined;
 }
 
 Vector2d EndDirection(const Chain& chain, std::size_t end) {

@@ -165,7 +165,7 @@ class Placer {
       CreaturePart made;
       made.part = part;
       for (const Chain& chain : CutIntoChains(*skeleton_of[part])) {
-        made.chains.push_back(SlopeCorrected(chain));
+        made.chains.push_back(Refined(chain));
       }
       const std::optional<int> parent = graph_.nodes[part].parent;
       if (parent && index_of[*parent] >= 0) made.parent = index_of[*parent];

@@ -1,0 +1,216 @@
+#include "skeleton/fit_part.h"
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "lascaux/field/field.h"
+#include "skeleton/planar_field.h"
+#include "skeleton/ring.h"
+
+namespace lascaux {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+
+/// Levenberg's damping and how it follows success and failure.
+constexpr double kFirstDamping = 1e-3, kLessDamping = 0.3, kMoreDamping = 6, kMostDamping = 1e6;
+/// No unknown moves by more in a step: 30 % of a radius.
+constexpr double kLongestStep = 0.3;
+/// Distances are trusted up to this share of the radius nearby: beyond it the field saturates or
+/// vanishes.
+constexpr double kTrusted = 0.5;
+/// Small and round outlines are sampled by their length.
+constexpr double kLeastSamples = 128;
+/// A step that lowers the cost by less than this share is the last one.
+constexpr double kStalled = 1e-4;
+
+struct Target {
+  Vector2d point;
+  double weight;
+  double limit;  ///< largest distance that counts
+};
+
+double WeightOf(OutlineKind kind, double completion_weight) {
+  if (kind == OutlineKind::kDrawn) return 1;
+  return kind == OutlineKind::kCompletion ? completion_weight : 0;
+}
+
+/// Radius of the disc whose circle is nearest.
+double RadiusNear(const std::vector<Chain>& chains, const Vector2d& point) {
+  double least = std::numeric_limits<double>::infinity(), radius = 0;
+  for (const Chain& chain : chains) {
+    for (const SkeletonVertex& v : chain.vertices) {
+      const double distance = std::abs((point - v.position).norm() - v.radius);
+      if (distance < least) least = distance, radius = v.radius;
+    }
+  }
+  return radius;
+}
+
+std::vector<Target> TargetsOn(const Outline& outline, const std::vector<Chain>& chains,
+                              double spacing, double completion_weight) {
+  std::vector<Target> targets;
+  for (const OutlineSample& sample : SampleOutline(outline, spacing)) {
+    const double weight = WeightOf(sample.kind, completion_weight);
+    if (weight <= 0) continue;
+    targets.push_back({sample.point, weight, kTrusted * RadiusNear(chains, sample.point)});
+  }
+  return targets;
+}
+
+/// Signed distance of a target from the silhouette, within its limit.
+double Residual(const PlanarSample& sample, const Target& target) {
+  const FieldSample field{sample.value, {sample.gradient.x(), sample.gradient.y(), 0}};
+  return std::clamp(SignedDistance(field), -target.limit, target.limit);
+}
+
+/// Unknowns: for each vertex the change of its log radius and, in its first radii, of its position.
+class Model {
+ public:
+  explicit Model(const std::vector<Chain>& start) : start_(start) {
+    for (const Chain& chain : start) {
+      for (const SkeletonVertex& v : chain.vertices) radii_.push_back(v.radius);
+    }
+  }
+  int unknowns() const { return 3 * static_cast<int>(radii_.size()); }
+  /// What an unknown is multiplied by to be the field's.
+  double Scale(int index) const { return index % 3 == 0 ? 1.0 : radii_[index / 3]; }
+
+  std::vector<Chain> At(const VectorXd& x) const {
+    std::vector<Chain> chains = start_;
+    Eigen::Index i = 0;
+    for (Chain& chain : chains) {
+      for (SkeletonVertex& v : chain.vertices) {
+        v.position += v.radius * Vector2d(x[i + 1], x[i + 2]);
+        v.radius *= std::exp(x[i]);
+        i += 3;
+      }
+    }
+    return chains;
+  }
+
+  double MedianRadius() const {
+    std::vector<double> radii = radii_;
+    const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+    std::nth_element(radii.begin(), middle, radii.end());
+    return *middle;
+  }
+
+ private:
+  const std::vector<Chain>& start_;
+  std::vector<double> radii_;
+};
+
+/// The linearised problem at a point: cost, largest drawn distance, J^T W J (its lower triangle)
+/// and J^T W d.
+struct Linearised {
+  double cost = 0, worst = 0;
+  MatrixXd normal;
+  VectorXd slope;
+};
+
+Linearised Linearise(const Model& model, const std::vector<Target>& targets, const VectorXd& x) {
+  const int n = model.unknowns();
+  Linearised at;
+  at.normal = MatrixXd::Zero(n, n);
+  at.slope = VectorXd::Zero(n);
+  PlanarField field(model.At(x));
+  PlanarSample sample;
+  for (const Target& target : targets) {
+    field.Evaluate(target.point, sample);
+    const double d = Residual(sample, target);
+    at.cost += target.weight * d * d;
+    if (target.weight == 1) at.worst = std::max(at.worst, std::abs(d));
+    const double steepness = sample.gradient.norm();
+    if (!(steepness > 0)) continue;
+    // d = (psi - 1) / |grad psi|, and near the surface its change is that of psi alone.
+    for (auto& [index, derivative] : sample.derivatives) {
+      derivative *= -model.Scale(index) / steepness;
+    }
+    // Ascending indices: only the lower triangle, column by column.
+    for (std::size_t k = 0; k < sample.derivatives.size(); ++k) {
+      const auto [j, dj] = sample.derivatives[k];
+      const double weighted = target.weight * dj;
+      at.slope[j] += weighted * d;
+      double* column = at.normal.col(j).data();
+      for (std::size_t m = k; m < sample.derivatives.size(); ++m) {
+        column[sample.derivatives[m].first] += weighted * sample.derivatives[m].second;
+      }
+    }
+  }
+  return at;
+}
+
+/// The damped Gauss-Newton step. Discs far from each other share no sample, so the matrix is nearly
+/// banded.
+VectorXd Solve(const Linearised& at, double damping, double hold, const VectorXd& x) {
+  Eigen::SparseMatrix<double> matrix = at.normal.sparseView();
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    matrix.coeffRef(i, i) = at.normal(i, i) * (1 + damping) + hold;
+  }
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> factors(matrix);
+  return factors.solve(-(at.slope + hold * x));
+}
+
+}  // namespace
+
+std::vector<Chain> FitChains(const std::vector<Chain>& chains, const Outline& outline,
+                             const FitOptions& options) {
+  const double diagonal = Diagonal(outline.points);
+  const std::vector<Target> targets = TargetsOn(
+      outline, chains,
+      std::min(options.sample_spacing * diagonal, Perimeter(outline.points) / kLeastSamples),
+      options.completion_weight);
+  const Model model(chains);
+  const int n = model.unknowns();
+  double weights = 0;
+  for (const Target& t : targets) weights += t.weight;
+  const double hold = std::pow(options.regularization * model.MedianRadius(), 2) * weights / n;
+
+  VectorXd x = VectorXd::Zero(n), best = x;
+  Linearised at = Linearise(model, targets, x);
+  double best_worst = at.worst, damping = kFirstDamping;
+  for (int step = 0; step < options.max_steps && best_worst > options.target * diagonal; ++step) {
+    const VectorXd move = Solve(at, damping, hold, x);
+    if (!move.allFinite()) break;
+    const VectorXd next = x + move.cwiseMax(-kLongestStep).cwiseMin(kLongestStep);
+    Linearised there = Linearise(model, targets, next);
+    const double before = at.cost + hold * x.squaredNorm();
+    const double after = there.cost + hold * next.squaredNorm();
+    if (!(after < before)) {
+      damping *= kMoreDamping;
+      if (damping > kMostDamping) break;
+      continue;
+    }
+    damping *= kLessDamping;
+    x = next;
+    at = std::move(there);
+    if (at.worst < best_worst) best_worst = at.worst, best = x;
+    if (before - after < kStalled * before) break;
+  }
+  return model.At(best);
+}
+
+FitError MeasureChains(const std::vector<Chain>& chains, const Outline& outline, double spacing) {
+  const double diagonal = Diagonal(outline.points);
+  FitError error;
+  double count = 0;
+  PlanarField field(chains);
+  PlanarSample sample;
+  for (const Target& target : TargetsOn(outline, chains, spacing * diagonal, 0)) {
+    field.Evaluate(target.point, sample);
+    const double d = std::abs(Residual(sample, target)) / diagonal;
+    error.mean += d;
+    error.max = std::max(error.max, d);
+    ++count;
+  }
+  if (count > 0) error.mean /= count;
+  return error;
+}
+
+}  // namespace lascaux

@@ -1,0 +1,233 @@
+#include "skeleton/planar_field.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "lascaux/field/primitives.h"
+#include "skeleton/chains.h"
+
+namespace lascaux {
+namespace {
+
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
+
+/// Normalisation of points and curves for the kernel (1 - r^2 / 4)^3: f = 1 at one radius.
+constexpr double kPointNorm = 64.0 / 27.0;
+constexpr double kCurveNorm = 1.4968340312374837;  // 1 / (2 (3/4)^(7/2) 32/35)
+/// Pieces with |kappa| up to this have radii in a ratio of at most 3.
+constexpr double kGentle = 0.5;
+constexpr int kMaxPieces = 16;
+
+struct Node {
+  double x, weight;
+};
+/// Gauss-Legendre on [-1, 1].
+constexpr std::array<Node, 8> kNodes{{{-0.9602898564975363, 0.1012285362903763},
+                                      {-0.7966664774136267, 0.2223810344533745},
+                                      {-0.5255324099163290, 0.3137066458778873},
+                                      {-0.1834346424956498, 0.3626837833783620},
+                                      {0.1834346424956498, 0.3626837833783620},
+                                      {0.5255324099163290, 0.3137066458778873},
+                                      {0.7966664774136267, 0.2223810344533745},
+                                      {0.9602898564975363, 0.1012285362903763}}};
+
+/// A segment's integral with its derivatives by its ends; `a` is the end of the larger radius.
+struct SegmentSample {
+  double value = 0;
+  Vector2d by_a = Vector2d::Zero(), by_b = Vector2d::Zero();
+  double by_radius_a = 0, by_radius_b = 0;
+};
+
+struct Disc {
+  Vector2d position;
+  double radius;
+};
+
+/// In the homothetic parameter y = s / radius(s), s measured from `a`: radius = radius_a / (1 - g
+/// y) and the kernel is (top - curve (y - middle)^2)^3, on one interval for every slope g <= 0.
+SegmentSample SampleSegment(const Disc& a, const Disc& b, const Vector2d& point) {
+  SegmentSample sample;
+  const Vector2d axis = b.position - a.position;
+  const double length = axis.norm();
+  if (!(length > 0)) return sample;
+  const Vector2d u = axis / length;
+  const double g = (b.radius - a.radius) / length;
+  const Vector2d w = (point - a.position) / a.radius;
+  const double x = w.dot(u);
+  const Vector2d across = w - x * u;
+  const double h2 = across.squaredNorm();
+  const double e = 1 + g * x, big = std::max(e * e + g * g * h2, 1e-30);
+  const double room = 4 * big - h2;
+  if (room <= 0) return sample;
+  const double half = std::sqrt(room) / big, middle = (x * e + g * h2) / big;
+  const double top = room / (4 * big), curve = big / 4;
+  const double y1 = std::max(0.0, middle - half), y2 = std::min(length / b.radius, middle + half);
+  if (y1 >= y2) return sample;
+
+  const double kappa = std::abs(g) * (y2 - y1) / 2 / (1 - g * (y1 + y2) / 2);
+  // The first of n equal pieces is the steepest: its kappa is at most K / (n (1 - K) + K) for K of
+  // the whole.
+  const double needed = kappa > kGentle ? kappa / (1 - kappa) * (1 / kGentle - 1) : 1;
+  const int pieces = std::clamp(static_cast<int>(std::ceil(needed)), 1, kMaxPieces);
+  const double step = (y2 - y1) / pieces;
+  Vector2d pull_a = Vector2d::Zero(), pull_b = Vector2d::Zero();
+  for (int piece = 0; piece < pieces; ++piece) {
+    const double center = y1 + (piece + 0.5) * step;
+    for (const Node& node : kNodes) {
+      const double y = center + node.x * step / 2;
+      const double widen = 1 / (1 - g * y);  // radius here over radius_a
+      const double p = top - curve * (y - middle) * (y - middle);
+      const double measure = node.weight * step / 2 * widen;
+      const double t = y * widen * a.radius / length;
+      const double p2 = p * p, p3 = p2 * p;
+      sample.value += measure * p3;
+      const double by_radius = measure * (6 * p2 - 7 * p3) / (widen * a.radius);
+      sample.by_radius_a += (1 - t) * by_radius;
+      sample.by_radius_b += t * by_radius;
+      const Vector2d toward = (w - y * widen * u) * (measure * p2 / (widen * widen * a.radius));
+      pull_a += (1 - t) * toward;
+      pull_b += t * toward;
+    }
+  }
+  sample.value *= kCurveNorm;
+  sample.by_radius_a *= kCurveNorm;
+  sample.by_radius_b *= kCurveNorm;
+  sample.by_a = 1.5 * kCurveNorm * pull_a - (sample.value / length) * u;
+  sample.by_b = 1.5 * kCurveNorm * pull_b + (sample.value / length) * u;
+  return sample;
+}
+
+struct PointSample {
+  double value = 0, by_radius = 0;
+  Vector2d by_center = Vector2d::Zero();
+};
+
+PointSample SamplePoint(const Disc& disc, double weight, const Vector2d& point) {
+  const Vector2d d = (point - disc.position) / disc.radius;
+  const double h2 = d.squaredNorm(), k = 1 - h2 / 4;
+  if (k <= 0) return {};
+  const double norm = weight * kPointNorm, slope = 1.5 * norm * k * k / disc.radius;
+  return {norm * k * k * k, slope * h2, slope * d};
+}
+
+/// Between the chains of a part; MakeField()'s.
+double PowerOfRicci(double ratio) { return ratio * ratio * ratio; }
+
+}  // namespace
+
+PlanarField::PlanarField(const std::vector<Chain>& chains) {
+  int first = 0;
+  for (const Chain& chain : chains) {
+    Polyline line;
+    line.first = first;
+    for (const SkeletonVertex& v : chain.vertices) {
+      line.positions.push_back(v.position);
+      line.radii.push_back(v.radius);
+    }
+    const int n = static_cast<int>(chain.vertices.size());
+    first += n;
+    for (int i = 0; n > 1 && i < n; i += n - 1) {
+      End end;
+      end.vertex = i;
+      end.neighbour = i == 0 ? 1 : i - 1;
+      end.direction = EndDirection(chain, static_cast<std::size_t>(i));
+      const double length =
+          (chain.vertices[i].position - chain.vertices[end.neighbour].position).norm();
+      const double shift = kCapShift * line.radii[i];
+      if (length > 0) {
+        end.turn =
+            shift / length * (Matrix2d::Identity() - end.direction * end.direction.transpose());
+      }
+      line.positions[i] += shift * end.direction;
+      line.ends.push_back(end);
+    }
+    for (const Vector2d& p : line.positions) line.center += p / n;
+    for (int i = 0; i < n; ++i) {
+      line.reach = std::max(
+          line.reach, (line.positions[i] - line.center).norm() + kSupportRadii * line.radii[i]);
+    }
+    lines_.push_back(std::move(line));
+  }
+}
+
+double PlanarField::AddPolyline(const Polyline& line, const Vector2d& point, PlanarSample& sample) {
+  const int n = static_cast<int>(line.positions.size());
+  pulls_.assign(static_cast<std::size_t>(n), {});
+  double value = 0;
+  const auto add_point = [&](int vertex, double share, double weight) {
+    const PointSample s =
+        SamplePoint({line.positions[vertex], share * line.radii[vertex]}, weight, point);
+    value += s.value;
+    pulls_[vertex].position += s.by_center;
+    pulls_[vertex].radius += share * s.by_radius;
+  };
+  if (n == 1) add_point(0, 1, 1);
+  for (const End& end : line.ends) add_point(end.vertex, kCapRadius, kCapWeight);
+  for (int i = 0; i + 1 < n; ++i) {
+    const int a = line.radii[i] >= line.radii[i + 1] ? i : i + 1, b = 2 * i + 1 - a;
+    const double reach = kSupportRadii * line.radii[a];
+    const Vector2d low = line.positions[i].cwiseMin(line.positions[i + 1]).array() - reach;
+    const Vector2d high = line.positions[i].cwiseMax(line.positions[i + 1]).array() + reach;
+    if ((point.array() < low.array()).any() || (point.array() > high.array()).any()) continue;
+    const SegmentSample s = SampleSegment({line.positions[a], line.radii[a]},
+                                          {line.positions[b], line.radii[b]}, point);
+    value += s.value;
+    pulls_[a].position += s.by_a;
+    pulls_[a].radius += s.by_radius_a;
+    pulls_[b].position += s.by_b;
+    pulls_[b].radius += s.by_radius_b;
+  }
+  Vector2d gradient = Vector2d::Zero();
+  for (const Pull& pull : pulls_) gradient -= pull.position;
+  values_.push_back(value);
+  gradients_.push_back(gradient);
+  // Where an end is moved out by its radius along its segment, its pull is felt by radius and
+  // neighbour too.
+  std::vector<Pull>& pulls = pulls_;
+  std::array<std::pair<int, Vector2d>, 2> passed_on;
+  std::size_t count = 0;
+  for (const End& end : line.ends) {
+    Pull& pull = pulls[end.vertex];
+    const Vector2d turned = end.turn * pull.position;
+    pull.radius += kCapShift * end.direction.dot(pull.position);
+    pull.position += turned;
+    passed_on[count++] = {end.neighbour, -turned};
+  }
+  for (std::size_t k = 0; k < count; ++k) pulls[passed_on[k].first].position += passed_on[k].second;
+  for (int i = 0; i < n; ++i) {
+    if (pulls[i].radius == 0 && pulls[i].position.isZero(0)) continue;
+    const int index = 3 * (line.first + i);
+    sample.derivatives.emplace_back(index, pulls[i].radius * line.radii[i]);
+    sample.derivatives.emplace_back(index + 1, pulls[i].position.x());
+    sample.derivatives.emplace_back(index + 2, pulls[i].position.y());
+  }
+  return value;
+}
+
+void PlanarField::Evaluate(const Vector2d& point, PlanarSample& sample) {
+  sample.value = 0;
+  sample.gradient.setZero();
+  sample.derivatives.clear();
+  values_.clear();
+  gradients_.clear();
+  row_ends_.clear();
+  double largest = 0;
+  for (const Polyline& line : lines_) {
+    if ((point - line.center).squaredNorm() >= line.reach * line.reach) continue;
+    largest = std::max(largest, AddPolyline(line, point, sample));
+    row_ends_.push_back(sample.derivatives.size());
+  }
+  if (largest <= 0) return;
+  double sum = 0;
+  for (const double v : values_) sum += std::pow(v / largest, 4);
+  sample.value = largest * std::sqrt(std::sqrt(sum));
+  for (std::size_t c = 0, k = 0; c < values_.size(); ++c) {
+    const double share = PowerOfRicci(values_[c] / sample.value);
+    sample.gradient += share * gradients_[c];
+    for (; k < row_ends_[c]; ++k) sample.derivatives[k].second *= share;
+  }
+}
+
+}  // namespace lascaux
