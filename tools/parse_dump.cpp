@@ -115,7 +115,7 @@ Json PartJson(const Part& part) {
       {"over", OrNull(part.over)},
       {"strokes", part.strokes},
       {"cycles", part.cycles},
-      {"half_edges", part.half_edges},
+      {"stretches", part.stretches},
       {"root", part.root ? RootJson(*part.root) : Json()},
       {"outline", RingJson(part.outline.points)},
       {"outline_kinds", ListJson(part.outline.kinds, [](OutlineKind kind) { return Name(kind); })}};

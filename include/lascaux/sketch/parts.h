@@ -63,7 +63,8 @@ struct Part {
   std::optional<int> over;        ///< for limbs: the part that it was cut from and lies over
   std::optional<LimbRoot> root;   ///< for limbs
   std::vector<int> cycles;        ///< cycles of the planar map that it covers (a limb: the one it was cut from)
-  std::vector<int> half_edges;    ///< half-edges of the planar map on its outline, in order
+  /// Half-edges of the planar map on its outline, in order: one list for each stretch between completions.
+  std::vector<std::vector<int>> stretches;
   std::vector<int> strokes;       ///< strokes that bound it, ascending
 
   bool operator==(const Part&) const = default;
@@ -79,7 +80,7 @@ struct Parts {
 /// How to read suggestive curves. Lengths are relative to the diagonal of the drawing.
 struct FindPartsOptions {
   /// What it costs, in units of the scale-free energy, to leave a suggestive curve without a partner.
-  double single_cost = 6.0;
+  double single_cost = 1.5;
 
   bool operator==(const FindPartsOptions&) const = default;
 };

@@ -10,23 +10,10 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// A stretch of a parent's outline between two limbs, as half-edges in walk order.
-using Run = std::vector<int>;
-
-/// The parent's half-edges cut where the walk jumps: there a limb was taken out.
-std::vector<Run> RunsOf(const PlanarMap& map, const Part& parent) {
-  std::vector<Run> runs;
-  for (const int h : parent.half_edges) {
-    const bool goes_on = !runs.empty() && map.Target(runs.back().back()) == map.Origin(h);
-    if (!goes_on) runs.push_back({});
-    runs.back().push_back(h);
-  }
-  // The list begins anywhere: its last run may go on in its first.
-  if (runs.size() > 1 && map.Target(runs.back().back()) == map.Origin(runs.front().front())) {
-    runs.back().insert(runs.back().end(), runs.front().begin(), runs.front().end());
-    runs.erase(runs.begin());
-  }
-  return runs;
+std::vector<int> HalfEdgesOf(const Part& part) {
+  std::vector<int> all;
+  for (const std::vector<int>& stretch : part.stretches) all.insert(all.end(), stretch.begin(), stretch.end());
+  return all;
 }
 
 double DistanceTo(const PlanarMap& map, int half_edge, const Vector2d& point) {
@@ -45,7 +32,7 @@ Adjacency AdjacencyOf(const PlanarMap& map, const Parts& parts) {
   Adjacency result;
   result.owner.assign(map.next.size(), -1);
   for (std::size_t i = 0; i < parts.parts.size(); ++i) {
-    for (const int h : parts.parts[i].half_edges) {
+    for (const int h : HalfEdgesOf(parts.parts[i])) {
       int& owner = result.owner[static_cast<std::size_t>(h)];
       const bool limb = parts.parts[i].kind == PartKind::kLimb;
       if (owner < 0 || limb) owner = static_cast<int>(i);
@@ -53,7 +40,7 @@ Adjacency AdjacencyOf(const PlanarMap& map, const Parts& parts) {
   }
   result.shared.resize(parts.parts.size());
   for (std::size_t i = 0; i < parts.parts.size(); ++i) {
-    for (const int h : parts.parts[i].half_edges) {
+    for (const int h : HalfEdgesOf(parts.parts[i])) {
       const int other = result.owner[static_cast<std::size_t>(PlanarMap::Twin(h))];
       if (other < 0 || other == static_cast<int>(i)) continue;
       result.shared[i][other] += Length(map.edges[static_cast<std::size_t>(h / 2)].points);
@@ -66,7 +53,7 @@ std::optional<Vector2d> MiddleOfShared(const PlanarMap& map, const Parts& parts,
                                        const std::pair<int, int>& pair) {
   Vector2d sum = Vector2d::Zero();
   double total = 0;
-  for (const int h : parts.parts[static_cast<std::size_t>(pair.first)].half_edges) {
+  for (const int h : HalfEdgesOf(parts.parts[static_cast<std::size_t>(pair.first)])) {
     if (adjacency.owner[static_cast<std::size_t>(PlanarMap::Twin(h))] != pair.second) continue;
     const Polyline& line = map.edges[static_cast<std::size_t>(h / 2)].points;
     const double length = Length(line);
@@ -79,15 +66,14 @@ std::optional<Vector2d> MiddleOfShared(const PlanarMap& map, const Parts& parts,
 std::vector<int> March(const PlanarMap& map, const Parts& parts, const Adjacency& adjacency, int limb) {
   const Part& part = parts.parts[static_cast<std::size_t>(limb)];
   const Part& parent = parts.parts[static_cast<std::size_t>(*part.over)];
-  const std::vector<Run> runs = RunsOf(map, parent);
   std::vector<int> met;
   const auto look_at = [&](int h) {
     const int other = adjacency.owner[static_cast<std::size_t>(PlanarMap::Twin(h))];
     if (other >= 0 && std::find(met.begin(), met.end(), other) == met.end()) met.push_back(other);
   };
-  // The walk reaches the limb at closed[0], the last half-edge of a run, and leaves it at closed[1], the first of a run.
-  for (const Run& run : runs) {
-    const double tolerance = 1e-3 * map.diagonal;
+  // The parent's walk reaches the limb at closed[0], where a stretch ends, and leaves it at closed[1], where one begins.
+  const double tolerance = 1e-3 * map.diagonal;
+  for (const std::vector<int>& run : parent.stretches) {
     const bool leaves = DistanceTo(map, run.front(), part.root->closed[1]) < tolerance;
     const bool arrives = DistanceTo(map, run.back(), part.root->closed[0]) < tolerance;
     if (!leaves && !arrives) continue;

@@ -36,6 +36,19 @@ void PlaceLimbs(const Parts& parts, const std::vector<std::optional<int>>& far_o
   }
 }
 
+/// True when a cell lies nearer to the limb's root than to its tip.
+bool IsAtRoot(const Part& limb, const Part& cell) {
+  const Vector2d root = 0.5 * (limb.root->closed[0] + limb.root->closed[1]), at = Centroid(cell.outline.points);
+  double reach = 0;
+  Vector2d tip = root;
+  for (const Vector2d& p : limb.outline.points) {
+    if ((p - root).norm() <= reach) continue;
+    reach = (p - root).norm();
+    tip = p;
+  }
+  return (at - root).norm() < (at - tip).norm();
+}
+
 /// Everything else hangs on the part that it shares the longest line with, outwards from the body.
 void PlaceAdjacent(const Parts& parts, const Adjacency& adjacency, DepthGraph& graph) {
   std::vector<bool> placed(parts.parts.size());
@@ -57,6 +70,10 @@ void PlaceAdjacent(const Parts& parts, const Adjacency& adjacency, DepthGraph& g
     }
     if (parent < 0) break;
     DepthNode& node = graph.nodes[part];
+    // Beside a limb's far end: more of the limb (a hoof). Beside its root: something in the plane that the limb hides.
+    while (parts.parts[static_cast<Index>(parent)].root && IsAtRoot(parts.parts[static_cast<Index>(parent)], parts.parts[part])) {
+      parent = *parts.parts[static_cast<Index>(parent)].over;
+    }
     const PartRole parent_role = graph.nodes[static_cast<Index>(parent)].role;
     node.role = parent_role == PartRole::kForeground ? PartRole::kForeground : PartRole::kSagittal;
     node.parent = parent;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <set>
 
 #include "sketch/map/polyline.h"
 
@@ -11,10 +13,12 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// The paper's limit for the angle between a limb and its partner.
-constexpr double kMaxAngle = std::numbers::pi / 4;
-/// The partner's bulk may swing more than its joint: legs in mid-step.
-constexpr double kMaxSwing = std::numbers::pi / 3;
+/// The tips of a pair in mid-step, seen from the limb's top, stay within this angle ...
+constexpr double kMaxSwing = 80 * std::numbers::pi / 180;
+/// ... and all differences together below this (radians; one e-fold of distance counts for two).
+constexpr double kMaxUnlikeness = 2.5;
+/// A further piece of a far side has to be more alike than the far side itself: it is only hidden in between.
+constexpr double kMaxPieceUnlikeness = 1.2;
 
 /// Axis of a limb at its root: p0 at its top inside the parent, p1 between the closed ends.
 struct Axis {
@@ -32,20 +36,32 @@ Axis AxisOf(const Part& limb) {
   return {middle - width * away, middle};
 }
 
-/// Angle of a candidate with the limb, if it is within the limits; smaller for those that touch the limb itself.
-std::optional<double> AngleOf(const PlanarMap& map, const Parts& parts, const Adjacency& adjacency, int limb, int candidate) {
-  const Part& part = parts.parts[static_cast<std::size_t>(limb)];
-  const Axis axis = AxisOf(part);
-  const Vector2d bulk = Centroid(parts.parts[static_cast<std::size_t>(candidate)].outline.points);
-  if (AngleBetween(Centroid(part.outline.points) - axis.top, bulk - axis.top) > kMaxSwing) return std::nullopt;
-  const auto joint = MiddleOfShared(map, parts, adjacency, {candidate, *part.over});
-  const double angle = AngleBetween(axis.root - axis.top, joint.value_or(bulk) - axis.top);
-  const bool touches = adjacency.shared[static_cast<std::size_t>(limb)].contains(candidate);
-  if (angle > (touches ? kMaxSwing : kMaxAngle)) return std::nullopt;
-  return touches ? 0.5 * angle : angle;
+Vector2d FarthestFrom(const Vector2d& origin, const Outline& outline) {
+  return *std::max_element(outline.points.begin(), outline.points.end(), [&](const Vector2d& a, const Vector2d& b) {
+    return (a - origin).squaredNorm() < (b - origin).squaredNorm();
+  });
 }
 
-bool MayBeFarSide(const Parts& parts, const Adjacency&, int candidate, int body) {
+/// How unlike a candidate is to the limb's far side: the angle at the joint (the paper's), the angle between the tips and the logarithm of
+/// their distances' ratio, all seen from the limb's top; none if it is out of the question.
+std::optional<double> Unlikeness(const PlanarMap& map, const Parts& parts, const Adjacency& adjacency, const std::pair<int, int>& pair) {
+  const auto [limb, candidate] = pair;
+  const Part& part = parts.parts[static_cast<std::size_t>(limb)];
+  const Part& other = parts.parts[static_cast<std::size_t>(candidate)];
+  const Axis axis = AxisOf(part);
+  const Vector2d near_tip = FarthestFrom(axis.top, part.outline) - axis.top;
+  const Vector2d far_tip = FarthestFrom(axis.top, other.outline) - axis.top;
+  const double swing = AngleBetween(near_tip, far_tip);
+  const double reach = std::abs(std::log(far_tip.norm() / near_tip.norm()));
+  const auto joint = MiddleOfShared(map, parts, adjacency, {candidate, *part.over});
+  const double angle = joint ? AngleBetween(axis.root - axis.top, *joint - axis.top) : 0.0;
+  const bool touches = adjacency.shared[static_cast<std::size_t>(limb)].contains(candidate);
+  const double unlikeness = angle * (touches ? 0.25 : 0.5) + swing + 2 * reach;
+  if (swing > kMaxSwing || unlikeness > kMaxUnlikeness) return std::nullopt;
+  return unlikeness;
+}
+
+bool MayBeFarSide(const Parts& parts, int candidate, int body) {
   const Part& part = parts.parts[static_cast<std::size_t>(candidate)];
   if (part.kind != PartKind::kBorder || candidate == body) return false;
   return std::none_of(parts.parts.begin(), parts.parts.end(),
@@ -57,7 +73,7 @@ void AddPieces(const Parts& parts, const Adjacency& adjacency, int body, std::ve
   for (bool again = true; again;) {
     again = false;
     for (int i = 0; i < static_cast<int>(parts.parts.size()); ++i) {
-      if (far_of[static_cast<std::size_t>(i)] || !MayBeFarSide(parts, adjacency, i, body)) continue;
+      if (far_of[static_cast<std::size_t>(i)] || !MayBeFarSide(parts, i, body)) continue;
       std::optional<int> limb;
       bool only = true;
       for (const auto& [other, length] : adjacency.shared[static_cast<std::size_t>(i)]) {
@@ -76,23 +92,58 @@ void AddPieces(const Parts& parts, const Adjacency& adjacency, int body, std::ve
   }
 }
 
+/// A limb and a cell that may be its far side.
+struct Match {
+  double cost = 0;
+  int limb = 0, cell = 0;
+};
+
+std::vector<Match> Matches(const PlanarMap& map, const Parts& parts, const Adjacency& adjacency, int body) {
+  std::vector<Match> matches;
+  for (int limb = 0; limb < static_cast<int>(parts.parts.size()); ++limb) {
+    if (parts.parts[static_cast<std::size_t>(limb)].kind != PartKind::kLimb) continue;
+    std::set<int> candidates;
+    for (const int met : March(map, parts, adjacency, limb)) candidates.insert(met);
+    for (const auto& [other, length] : adjacency.shared[static_cast<std::size_t>(limb)]) candidates.insert(other);
+    for (const int cell : candidates) {
+      if (!MayBeFarSide(parts, cell, body)) continue;
+      if (const auto cost = Unlikeness(map, parts, adjacency, {limb, cell})) matches.push_back({*cost, limb, cell});
+    }
+  }
+  std::stable_sort(matches.begin(), matches.end(), [](const Match& a, const Match& b) { return a.cost < b.cost; });
+  return matches;
+}
+
+/// Tries to give `limb` a cell, moving other limbs to other cells if need be (an augmenting path).
+bool Augment(const std::vector<Match>& matches, int limb, std::set<int>& visited, std::map<int, int>& limb_of) {
+  for (const Match& match : matches) {
+    if (match.limb != limb || !visited.insert(match.cell).second) continue;
+    const auto taken = limb_of.find(match.cell);
+    if (taken != limb_of.end() && !Augment(matches, taken->second, visited, limb_of)) continue;
+    limb_of[match.cell] = limb;
+    return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::vector<std::optional<int>> FindFarSides(const PlanarMap& map, const Parts& parts, const Adjacency& adjacency, int body) {
-  const int n = static_cast<int>(parts.parts.size());
+  const std::vector<Match> matches = Matches(map, parts, adjacency, body);
+  // As many limbs as possible get a far side, the most alike first; then what is left joins as further pieces.
+  std::map<int, int> limb_of;
+  std::set<int> tried;
+  for (const Match& match : matches) {
+    if (!tried.insert(match.limb).second) continue;
+    std::set<int> visited;
+    Augment(matches, match.limb, visited, limb_of);
+  }
   std::vector<std::optional<int>> far_of(parts.parts.size());
-  std::vector<double> angle_of(parts.parts.size(), std::numbers::pi);
-  for (int limb = 0; limb < n; ++limb) {
-    if (parts.parts[static_cast<std::size_t>(limb)].kind != PartKind::kLimb) continue;
-    std::vector<int> candidates = March(map, parts, adjacency, limb);
-    for (const auto& [other, length] : adjacency.shared[static_cast<std::size_t>(limb)]) candidates.push_back(other);
-    for (const int candidate : candidates) {
-      if (!MayBeFarSide(parts, adjacency, candidate, body)) continue;
-      const auto angle = AngleOf(map, parts, adjacency, limb, candidate);
-      if (!angle || *angle >= angle_of[static_cast<std::size_t>(candidate)]) continue;
-      angle_of[static_cast<std::size_t>(candidate)] = *angle;
-      far_of[static_cast<std::size_t>(candidate)] = limb;
-    }
+  for (const auto& [cell, limb] : limb_of) far_of[static_cast<std::size_t>(cell)] = limb;
+  for (const Match& match : matches) {
+    auto& far = far_of[static_cast<std::size_t>(match.cell)];
+    const bool touches = adjacency.shared[static_cast<std::size_t>(match.limb)].contains(match.cell);
+    if (!far && touches && match.cost < kMaxPieceUnlikeness) far = match.limb;
   }
   AddPieces(parts, adjacency, body, far_of);
   return far_of;

@@ -118,10 +118,14 @@ int Root(std::vector<int>& parent, int i) {
 
 void MoveEnd(Polyline& points, const LineEnd& end, const Vector2d& target, double tiny) {
   if (end.at_back) std::reverse(points.begin(), points.end());
-  if ((points.front() - target).norm() <= tiny) {
-    points.front() = target;
-  } else {
+  const double distance = (points.front() - target).norm();
+  if (distance > tiny) {
+    // Bend the last stretch over instead of adding a hook: tangents are taken there.
+    const double length = Length(points), cut = std::min(distance, 0.3 * length);
+    points = Section(points, cut, length);
     points.insert(points.begin(), target);
+  } else {
+    points.front() = target;
   }
   if (end.at_back) std::reverse(points.begin(), points.end());
 }

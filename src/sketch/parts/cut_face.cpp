@@ -20,9 +20,10 @@ class RingBuilder {
 
   void Add(const BoundaryStretch& stretch) {
     AddPoint(stretch.points.front(), OutlineKind::kDrawn);
+    std::vector<int>& walked = stretches_.emplace_back();
     for (std::size_t i = 0; i < stretch.half_edges.size(); ++i) {
       const int h = stretch.half_edges[i];
-      if (half_edges_.empty() || half_edges_.back() != h) half_edges_.push_back(h);
+      if (walked.empty() || walked.back() != h) walked.push_back(h);
       AddPoint(stretch.points[i + 1], KindOf(h));
     }
   }
@@ -43,9 +44,11 @@ class RingBuilder {
     if (!part.outline.kinds.empty()) {
       std::rotate(part.outline.kinds.begin(), part.outline.kinds.begin() + 1, part.outline.kinds.end());
     }
-    for (const int h : half_edges_) strokes_.insert(map_.edges[static_cast<std::size_t>(h / 2)].stroke);
+    for (const std::vector<int>& stretch : stretches_) {
+      for (const int h : stretch) strokes_.insert(map_.edges[static_cast<std::size_t>(h / 2)].stroke);
+    }
     strokes_.erase(-1);
-    part.half_edges = std::move(half_edges_);
+    part.stretches = std::move(stretches_);
     part.strokes.assign(strokes_.begin(), strokes_.end());
     return part;
   }
@@ -65,7 +68,7 @@ class RingBuilder {
 
   const PlanarMap& map_;
   Outline outline_;
-  std::vector<int> half_edges_;
+  std::vector<std::vector<int>> stretches_;
   std::set<int> strokes_;
 };
 
@@ -138,9 +141,9 @@ Part BasePart(const FaceView& face, const std::vector<const LimbCut*>& children)
 
 Part LimbPart(const FaceView& face, const LimbCut& limb, const std::vector<const LimbCut*>& children) {
   RingBuilder ring(face.map);
-  ring.Add(Reversed(limb.from_curve), OutlineKind::kDrawn);
+  ring.Add(Reversed(limb.from_curve), limb.from_kind);
   AddWalk(face, ring, limb.from, limb.to, children);
-  ring.Add(limb.to_curve, OutlineKind::kDrawn);
+  ring.Add(limb.to_curve, limb.to_kind);
   const Polyline open = OpenCompletion(face, limb);
   ring.Add(open, OutlineKind::kCompletion);
   for (const SuggestiveCurve& curve : face.boundary.curves) {

@@ -16,7 +16,9 @@ constexpr double kShortestAlone = 0.02;
 /// ... and its limb's edge runs on from it this straight.
 constexpr double kStraightOn = std::numbers::pi / 4;
 /// The limb reaches at least this many times the width of its root away from it.
-constexpr double kLeastReach = 1.15;
+constexpr double kLeastReach = 1.5;
+/// The contour is the limb's other flank if it leaves its closed end within this angle of the drawn curve's direction.
+constexpr double kAlong = std::numbers::pi / 3.6;
 /// Width of the root, share of the diagonal: below it is a hair, above it is half the animal.
 constexpr double kLeastWidth = 0.015, kMostWidth = 0.3;
 /// How much wider than at its narrowest the root may be at a corner or junction that is taken for its end.
@@ -56,7 +58,7 @@ std::optional<double> NearestBeyondTip(const Walker& walker, double step) {
   std::optional<double> place;
   for (double s = step; s < walker.limit; s += step) {
     const double d = (walker.At(s) - origin).norm();
-    if (d > farthest && !(place && nearest < 0.6 * farthest)) {
+    if (d > farthest && !(place && nearest < farthest / kLeastReach)) {
       farthest = d;
       place.reset();
       continue;
@@ -96,6 +98,43 @@ bool IsInsideFace(const FaceView& face, const Vector2d& a, const Vector2d& b) {
   return true;
 }
 
+/// The other flank, from its closed end, and whether it was drawn.
+struct Flank {
+  Polyline points;
+  OutlineKind kind = OutlineKind::kDrawn;
+};
+
+/// The stretch of contour beyond the second closed end, as long as the drawn curve if there is room.
+Polyline ContourFlank(const Walker& walker, double place, double length) {
+  const double step = kStep * walker.face.map.diagonal, flank = std::min(length, walker.limit - place);
+  Polyline contour;
+  for (double s = 0; s < flank; s += step) Append(contour, {walker.At(place + s)});
+  Append(contour, {walker.At(place + flank)});
+  return contour;
+}
+
+/// The drawn curve reflected so that its closed end falls on `closed`; its first part that stays inside the face.
+Polyline MirroredFlank(const FaceView& face, const Polyline& curve, const Vector2d& closed) {
+  const Vector2d across = (closed - curve.front()).stableNormalized(), middle = 0.5 * (closed + curve.front());
+  Polyline mirrored;
+  for (const Vector2d& p : curve) {
+    const Vector2d q = p - 2 * (p - middle).dot(across) * across;
+    if (!mirrored.empty() && !Contains(face.line.points, q)) break;
+    Append(mirrored, {q});
+  }
+  return mirrored;
+}
+
+Flank OtherFlank(const Walker& walker, double place, const SuggestiveCurve& curve) {
+  const Polyline contour = ContourFlank(walker, place, curve.length);
+  const Polyline mirrored = MirroredFlank(walker.face, curve.points, contour.front());
+  const Vector2d drawn = curve.points.back() - curve.points.front();
+  const bool along = AngleBetween(contour.back() - contour.front(), drawn) < kAlong;
+  // A mirror image that leaves the face at once leaves the contour as the only flank there is.
+  if (along || Length(mirrored) < 0.3 * curve.length) return {contour, OutlineKind::kDrawn};
+  return {mirrored, OutlineKind::kCompletion};
+}
+
 std::optional<LimbCut> LimbOf(const FaceView& face, const Pairing& pairing, const SuggestiveCurve& curve) {
   const double diagonal = face.map.diagonal, step = kStep * diagonal;
   if (curve.length < kShortestAlone * diagonal) return std::nullopt;
@@ -109,17 +148,15 @@ std::optional<LimbCut> LimbOf(const FaceView& face, const Pairing& pairing, cons
   const Vector2d a = walker.At(0), b = walker.At(place);
   const double width = (b - a).norm();
   if (width < kLeastWidth * diagonal || width > kMostWidth * diagonal || !IsInsideFace(face, a, b)) return std::nullopt;
-  // The limb's other flank goes on along the contour as far as its drawn one does inside, if there is room.
-  const double flank = std::min(curve.length, walker.limit - place);
-  Polyline contour;
-  for (double s = 0; s < flank; s += step) Append(contour, {walker.At(place + s)});
-  Append(contour, {walker.At(place + flank)});
-  LimbCut limb{start, face.line.Wrap(start + sign * place), curve.points, contour, LimbEvidence::kOneCurve, 0};
-  const Vector2d tip = ArrivalDirection(contour, TangentReach(face.map));
-  limb.energy = Complete({curve.points.back(), curve.tip}, {contour.back(), tip}).energy;
+  Flank flank = OtherFlank(walker, place, curve);
+  const Vector2d tip = ArrivalDirection(flank.points, TangentReach(face.map));
+  const double energy = Complete({curve.points.back(), curve.tip}, {flank.points.back(), tip}).energy;
+  LimbCut limb{start, face.line.Wrap(start + sign * place), curve.points, std::move(flank.points),
+               OutlineKind::kDrawn, flank.kind, LimbEvidence::kOneCurve, energy};
   if (sign < 0) {
     std::swap(limb.from, limb.to);
     std::swap(limb.from_curve, limb.to_curve);
+    std::swap(limb.from_kind, limb.to_kind);
   }
   return limb;
 }

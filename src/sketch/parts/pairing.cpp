@@ -14,8 +14,14 @@ using Eigen::Vector2d;
 
 /// Suggestive curves shorter than this share of the diagonal are hooks of the pen.
 constexpr double kShortest = 0.008;
-/// Cost of leaving a curve single that the outline runs past smoothly: less than any pair but the most plausible.
-constexpr double kDetailCost = 0.05;
+/// A curve that neither side runs on into within this angle stands on the outline: it is a detail if the outline passes it straight.
+constexpr double kDetailTurn = std::numbers::pi / 4;
+/// Cost of a turn between a limb's contour and its suggestive curve, per radian squared.
+constexpr double kTurnCost = 2;
+/// The closed ends of a limb are at most this share of the diagonal apart ...
+constexpr double kWidest = 0.4;
+/// ... and it sticks out: its own contour is at least so many times as long as the chord between them.
+constexpr double kLeastProtrusion = 1.25;
 /// Least value of the paper's p: even the best angles leave some of the completions' energy.
 constexpr double kLeastP = 0.05;
 /// Share of the chord between closed ends that has to run through the face.
@@ -29,7 +35,8 @@ struct Candidate {
 
 /// A mouth, a gill, a wrinkle: the outline passes its end more smoothly than it would turn into it.
 bool IsDetail(const SuggestiveCurve& curve) {
-  return curve.turn_through < 0.7 * std::min(curve.turn_before, curve.turn_after);
+  const double turn = std::min(curve.turn_before, curve.turn_after);
+  return turn > kDetailTurn && curve.turn_through < 0.5 * turn;
 }
 
 double PValue(const Vector2d& arrival, const Vector2d& chord, const Vector2d& curve) {
@@ -46,6 +53,10 @@ bool ChordIsInside(const Polyline& ring, const Vector2d& a, const Vector2d& b) {
   return inside >= kChordInside * kSamples;
 }
 
+/// Energy of the limb that owns the walk from curve i to curve j; infinite for one that does not stick out.
+///
+/// To the paper's energy comes what it costs when the limb's own contour does not run on into its suggestive curves:
+/// the square of both turns.
 double PairEnergy(const FaceView& face, int i, int j) {
   const SuggestiveCurve& a = face.boundary.curves[static_cast<std::size_t>(i)];
   const SuggestiveCurve& b = face.boundary.curves[static_cast<std::size_t>(j)];
@@ -55,10 +66,12 @@ double PairEnergy(const FaceView& face, int i, int j) {
   const double to = face.line.node_arcs[static_cast<std::size_t>(b.position)];
   const Vector2d arrival_a = face.line.DirectionBefore(from, reach);
   const Vector2d arrival_b = -face.line.DirectionAfter(to, reach);
+  if (face.line.Ahead(from, to) < kLeastProtrusion * chord.norm()) return std::numeric_limits<double>::infinity();
   const double p = PValue(arrival_a, chord, a.departure) * PValue(arrival_b, -chord, b.departure);
   const double closed = Complete({a.points.front(), arrival_a}, {b.points.front(), arrival_b}).energy;
   const double open = Complete({a.points.back(), a.tip}, {b.points.back(), b.tip}).energy;
-  return p * (open + closed);
+  const double turns = a.turn_after * a.turn_after + b.turn_before * b.turn_before;
+  return p * (open + closed) + kTurnCost * turns;
 }
 
 /// Interval dynamic programme over the curves in walk order: the non-crossing assignment of least total cost.
@@ -118,7 +131,8 @@ class Assignment {
 Candidate BestWay(const FaceView& face, int i, int j) {
   const auto& curves = face.boundary.curves;
   const Vector2d &a = curves[static_cast<std::size_t>(i)].points.front(), &b = curves[static_cast<std::size_t>(j)].points.front();
-  if ((a - b).norm() < kShortest * face.map.diagonal || !ChordIsInside(face.line.points, a, b)) return {};
+  const double chord = (a - b).norm() / face.map.diagonal;
+  if (chord < kShortest || chord > kWidest || !ChordIsInside(face.line.points, a, b)) return {};
   const Candidate ahead{i, j, PairEnergy(face, i, j)}, around{j, i, PairEnergy(face, j, i)};
   return ahead.energy <= around.energy ? ahead : around;
 }
@@ -130,14 +144,13 @@ double TangentReach(const PlanarMap& map) { return 0.012 * map.diagonal; }
 Pairing PairCurves(const FaceView& face, const FindPartsOptions& options) {
   std::vector<int> usable;
   for (std::size_t i = 0; i < face.boundary.curves.size(); ++i) {
-    if (face.boundary.curves[i].length >= kShortest * face.map.diagonal) usable.push_back(static_cast<int>(i));
+    const SuggestiveCurve& curve = face.boundary.curves[i];
+    if (curve.length >= kShortest * face.map.diagonal && !IsDetail(curve)) usable.push_back(static_cast<int>(i));
   }
   const std::size_t n = usable.size();
-  std::vector<double> single(n);
+  const std::vector<double> single(n, options.single_cost);
   std::vector<std::vector<Candidate>> pairs(n, std::vector<Candidate>(n));
   for (std::size_t i = 0; i < n; ++i) {
-    const SuggestiveCurve& curve = face.boundary.curves[static_cast<std::size_t>(usable[i])];
-    single[i] = IsDetail(curve) ? kDetailCost : options.single_cost;
     for (std::size_t j = i + 1; j < n; ++j) pairs[i][j] = BestWay(face, usable[i], usable[j]);
   }
   Pairing pairing;
@@ -148,11 +161,10 @@ Pairing PairCurves(const FaceView& face, const FindPartsOptions& options) {
     taken[static_cast<std::size_t>(c.i)] = taken[static_cast<std::size_t>(c.j)] = true;
     pairing.limbs.push_back({face.line.node_arcs[static_cast<std::size_t>(a.position)],
                              face.line.node_arcs[static_cast<std::size_t>(b.position)], a.points, b.points,
-                             LimbEvidence::kTwoCurves, c.energy});
+                             OutlineKind::kDrawn, OutlineKind::kDrawn, LimbEvidence::kTwoCurves, c.energy});
   }
   for (const int i : usable) {
-    const SuggestiveCurve& curve = face.boundary.curves[static_cast<std::size_t>(i)];
-    if (!taken[static_cast<std::size_t>(i)] && !IsDetail(curve)) pairing.single.push_back(i);
+    if (!taken[static_cast<std::size_t>(i)]) pairing.single.push_back(i);
   }
   return pairing;
 }

@@ -128,8 +128,10 @@ void StrokeCollector::Add(const Subpath& subpath, const Pen& pen) {
     stroke.closed = false;
     stroke.is_dot = candidate.is_line && pen.style.cap == LineCap::kRound;
     const Vector2d& at = candidate.start;
-    if (stroke.is_dot) stroke.pieces.push_back({{at, at, at, at}});
-    if (!stroke.is_dot) candidate.is_area = false;
+    if (stroke.is_dot) {
+      stroke.pieces.push_back({{at, at, at, at}});
+      candidate.dropped_pieces = 0;
+    }
   } else if (stroke.closed) {
     // The line back to the start may be nothing but rounding: then the piece before it ends there.
     if (subpath.has_closing_line && IsPoint(pieces.back(), kRounding * largest)) {
