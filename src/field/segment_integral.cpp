@@ -25,16 +25,15 @@ double TailMoment(double z) {
                                              -2.475095785440613,
                                              0.6994835915375646,
                                              -0.07327923339917343};
-    double up = kUp[5], down = kDown[5];
-    for (int i = 4; i >= 0; --i) {
+    double up = kUp.back(), down = kDown.back();
+    for (std::size_t k = 1; k < kUp.size(); ++k) {
+      const std::size_t i = kUp.size() - 1 - k;
       up = up * z + kUp[i];
       down = down * z + kDown[i];
     }
     return up / down;
   }
   const double kappa = std::sqrt(z);
-  // log1p of kappa - 1 would lose the distance to 1 that matters at tips; kappa < 1 is all that is
-  // known.
   const double mu0 = 2 * std::atanh(kappa) / kappa;
   return ((((mu0 - 2) / z - 2.0 / 3) / z - 2.0 / 5) / z - 2.0 / 7) / z;
 }
@@ -99,9 +98,9 @@ double IntegrateOverLinear(const std::array<double, 9>& q, const Clip& clip) {
   // Moments obey mu_j = (2 / (j + 1) for even j) + kappa mu_{j+1}; run backwards, which is stable,
   // and folded into the coefficients.
   double b = q[0], sum = 2 * b;
-  for (int j = 1; j < 8; ++j) {
+  for (std::size_t j = 1; j < 8; ++j) {
     b = q[j] + clip.kappa * b;
-    if (j % 2 == 0) sum += 2.0 / (j + 1) * b;
+    if (j % 2 == 0) sum += 2.0 / static_cast<double>(j + 1) * b;
   }
   b = q[8] + clip.kappa * b;
   // kappa = -1 in rounding only happens at a tip, where the end of the segment was cut to

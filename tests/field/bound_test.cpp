@@ -80,7 +80,7 @@ TEST(BoundOnBall, HoldsTheFieldAtEveryPointOfTheBall) {
 /// on the way.
 class Descent {
  public:
-  Descent(const Field& field, double voxel) : field_(field), compiled_(field), voxel_(voxel) {}
+  Descent(const Field& field, double voxel) : compiled_(field), voxel_(voxel) {}
 
   void Run() {
     const Eigen::AlignedBox3d& box = compiled_.bounds();
@@ -144,7 +144,6 @@ class Descent {
     for (const float value : values) ASSERT_EQ(value < 1, outside) << value;
   }
 
-  const Field& field_;
   CompiledField compiled_;
   double voxel_;
 };
