@@ -23,7 +23,7 @@ class Run {
       : bytes_(bytes), options_(options), execution_(execution) {}
 
   void Go() {
-    const bool understood = Read() && Understand() && ExtractSkeleton();
+    const bool understood = Read() && Understand() && ExtractSkeleton() && Fit();
     if (!understood || options_.last == LastStage::kCreature) return;
     if (!MakeVolume() || !MakeMesh() || !Measure()) return;
     if (options_.last == LastStage::kPreview) RenderPreview();
@@ -72,6 +72,13 @@ class Run {
                 model_.creature);
   }
 
+  bool Fit() {
+    const Stopwatch watch(model_.timings, "fit");
+    execution_.Report("fitting it to the drawing", 0);
+    return Keep(FitToDrawing(*model_.parts, *model_.creature, options_.fit, execution_),
+                model_.creature);
+  }
+
   bool MakeVolume() {
     {
       const Stopwatch watch(model_.timings, "field");
@@ -99,9 +106,9 @@ class Run {
     model_.facts = CheckMesh(*model_.mesh, execution_);
     model_.fidelity = MeasureFidelity(*model_.mesh, BuiltOutlines(model_), execution_);
     if (!Continue()) return false;
-    if (model_.facts->IsPrintable()) return true;
-    model_.diagnostics.push_back(NotPrintable(*model_.facts));
-    return false;
+    const Diagnostics defects = MeshDefects(*model_.facts);
+    model_.diagnostics.insert(model_.diagnostics.end(), defects.begin(), defects.end());
+    return defects.empty();
   }
 
   bool RenderPreview() {

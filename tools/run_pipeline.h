@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "lascaux/base/execution.h"
+#include "lascaux/skeleton/fit.h"
 #include "lascaux/sketch/read_svg.h"
 #include "model.h"
 
@@ -25,6 +26,7 @@ struct PipelineOptions {
   OrderByDepthOptions depth;
   ExtractSkeletonsOptions skeletons;
   PlaceInDepthOptions placement;
+  FitOptions fit;
   RenderOptions render;
   double blend = 4;                  ///< Ricci exponent between a part and its parent
   double size = 100;                 ///< longest side of the model, mm

@@ -1,7 +1,5 @@
 #include "settle.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
 
@@ -26,24 +24,6 @@ std::vector<std::vector<Eigen::Vector2d>> BuiltOutlines(const Model& model) {
       ring.push_back(model.frame->ToModel(point));
   }
   return rings;
-}
-
-Diagnostic NotPrintable(const MeshFacts& facts) {
-  std::string wrong;
-  const auto add = [&wrong](const std::string& text) {
-    wrong += wrong.empty() ? text : ", " + text;
-  };
-  if (!facts.closed) add("it is open");
-  if (!facts.manifold) add("it is not manifold");
-  if (!facts.oriented) add("its faces are not all turned outward");
-  if (facts.components != 1) add(fmt::format("it is {} pieces", facts.components));
-  if (facts.degenerate > 0) add(fmt::format("{} triangles have no area", facts.degenerate));
-  if (facts.coincident > 0) add(fmt::format("{} vertices coincide", facts.coincident));
-  if (facts.self_intersections.value_or(0) > 0)
-    add(fmt::format("{} pairs of triangles intersect", *facts.self_intersections));
-  return Error(
-      FailureKind::kMesh, "mesh-not-printable",
-      fmt::format("the mesh is not one printable solid: {}; try another --resolution", wrong));
 }
 
 }  // namespace lascaux

@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "lascaux/base/diagnostic.h"
 #include "model.h"
 
 /// @file
@@ -22,8 +21,5 @@ void StandOnGround(Model& model);
 ///
 /// Precondition: parts, graph and frame are there.
 std::vector<std::vector<Eigen::Vector2d>> BuiltOutlines(const Model& model);
-
-/// The error for a mesh that a slicer would have to repair, with the figures that are wrong.
-Diagnostic NotPrintable(const MeshFacts& facts);
 
 }  // namespace lascaux

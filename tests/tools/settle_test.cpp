@@ -28,18 +28,5 @@ TEST(BuiltOutlines, LeaveOutFarAndIgnoredParts) {
   EXPECT_EQ(rings[0][0], Eigen::Vector2d(-20, 30));
 }
 
-TEST(NotPrintable, SaysWhatIsWrong) {
-  MeshFacts facts;
-  facts.closed = facts.manifold = true;
-  facts.components = 3;
-  facts.self_intersections = 2;
-  const Diagnostic error = NotPrintable(facts);
-  EXPECT_EQ(error.code, "mesh-not-printable");
-  EXPECT_EQ(error.failure, FailureKind::kMesh);
-  for (const char* part : {"outward", "3 pieces", "2 pairs"})
-    EXPECT_NE(error.message.find(part), std::string::npos) << error.message;
-  EXPECT_EQ(error.message.find("open"), std::string::npos);
-}
-
 }  // namespace
 }  // namespace lascaux
