@@ -10,14 +10,20 @@ namespace lascaux::internal {
 
 /// Points are taken this many at a time: their samples stay in the first-level cache, and the
 /// set-up of a primitive is shared by many. A multiple of every vector's width.
-inline constexpr int kTile = 128;
+inline constexpr int kTile = 64;
 
 /// Primitives whose bounds are computed together.
 inline constexpr int kBoundTile = 16;
 
-/// A segment seen from a block's origin, in units of its larger end's radius (internal notes in
+/// A box, as offsets from a block's origin.
+struct KernelBox {
+  float low[3], high[3];
+};
+
+/// A segment seen from a block's origin, in units of its larger end's radius (see
 /// segment_integral.h).
 struct KernelSegment {
+  KernelBox support;
   float x, y, z;     ///< (origin - A) / tau0
   float ux, uy, uz;  ///< unit direction from the larger end
   float inv_tau;     ///< 1 / tau0
@@ -27,6 +33,7 @@ struct KernelSegment {
 
 /// A point primitive seen from a block's origin.
 struct KernelPoint {
+  KernelBox support;
   float x, y, z;  ///< (origin - center) / radius
   float inv_radius;
   float norm;  ///< weight times N0

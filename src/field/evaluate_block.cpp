@@ -50,15 +50,26 @@ void Program::BeginPart(const CompiledField::Data& data, std::uint32_t part) {
   part_at_depth_[here.depth] = part;
 }
 
+/// A primitive's support, a little larger than it is: outside of it the vector code's own rounding
+/// leaves nothing, so that skipping a primitive changes no bit.
+internal::KernelBox SupportFrom(const CompiledPrimitive& primitive, const Eigen::Vector3d& origin) {
+  constexpr double kMargin = 1e-3;  // radii
+  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(kMargin * primitive.radius);
+  const Eigen::Vector3f low = (primitive.box.min() - margin - origin).cast<float>();
+  const Eigen::Vector3f high = (primitive.box.max() + margin - origin).cast<float>();
+  return {{low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()}};
+}
+
 void Program::Add(const CompiledPrimitive& primitive, const Eigen::Vector3d& origin) {
+  const internal::KernelBox support = SupportFrom(primitive, origin);
   const Eigen::Vector3f w = ((origin - primitive.place) / primitive.radius).cast<float>();
   const auto inv_radius = static_cast<float>(1 / primitive.radius);
   if (primitive.is_point()) {
-    points_.push_back({w.x(), w.y(), w.z(), inv_radius, primitive.norm});
+    points_.push_back({support, w.x(), w.y(), w.z(), inv_radius, primitive.norm});
     chains_.back().points_end = static_cast<std::uint32_t>(points_.size());
   } else {
-    segments_.push_back({w.x(), w.y(), w.z(), primitive.ux, primitive.uy, primitive.uz, inv_radius,
-                         primitive.slope, primitive.y_end});
+    segments_.push_back({support, w.x(), w.y(), w.z(), primitive.ux, primitive.uy, primitive.uz,
+                         inv_radius, primitive.slope, primitive.y_end});
     chains_.back().segments_end = static_cast<std::uint32_t>(segments_.size());
   }
 }
