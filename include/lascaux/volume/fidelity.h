@@ -12,21 +12,31 @@
 
 namespace lascaux {
 
-/// Distances are in percent of the diagonal of the drawn region.
+/// Distances are in percent of the diagonal of the drawn region's box.
 struct Fidelity {
-  double iou = 0;                   ///< of the mesh's side view and the drawn region
-  double contour_mean_percent = 0;  ///< mean distance between the two outlines, the larger of both directions
-  double contour_p95_percent = 0;   ///< its 95th percentile
-  Eigen::Vector2d worst_at = Eigen::Vector2d::Zero();  ///< place of the largest distance, same frame as the region
+  double iou = 0;  ///< of the mesh's side view and the drawn region
+  double contour_mean_percent =
+      0;  ///< mean distance between the outlines, larger of both directions
+  double contour_p95_percent = 0;  ///< its 95th percentile, larger of both directions
+  Eigen::Vector2d worst_at =
+      Eigen::Vector2d::Zero();  ///< where the largest distance is, in x and y
   double worst_percent = 0;
 
   bool operator==(const Fidelity&) const = default;
 };
 
-/// Compares the mesh's projection along z with the union of `rings` (closed, in the mesh's own x and y).
+/// Compares the mesh's projection along z with the union of `rings` (closed, either way round, in
+/// the mesh's own x and y).
 ///
-/// Empty when either has no area.
-std::optional<Fidelity> MeasureFidelity(const Mesh& mesh, const std::vector<std::vector<Eigen::Vector2d>>& rings,
+/// Of each only the largest connected region counts, its holes below 1e-4 of its area filled. Both
+/// are cut along 2000 lines a side of the box around them; where the lines cross an outline is
+/// computed, not rounded to pixels, and each crossing stands for its share of the outline's length.
+/// Figures are within 0.005 percent of the diagonal for outlines whose bends are wider than that.
+///
+/// Empty when either has no area or a coordinate is not finite, or when cancelled. About 10 ms for
+/// 130 000 triangles. The same bits for any number of threads.
+std::optional<Fidelity> MeasureFidelity(const Mesh& mesh,
+                                        const std::vector<std::vector<Eigen::Vector2d>>& rings,
                                         const Execution& execution = {});
 
 }  // namespace lascaux
