@@ -161,6 +161,31 @@ TEST(CompiledField, PointsAreIndependentOfTheirBlock) {
   });
 }
 
+TEST(CompiledField, MirroredFieldHasTheSameBitsAtMirroredPoints) {
+  ForSeeds(20, [](Random& random) {
+    const Field field = RandomCreature(random);
+    Field mirrored = field;
+    for (FieldPart& part : mirrored.parts) {
+      part.z0 = -part.z0;
+      for (FieldChain& chain : part.chains) {
+        for (Segment& s : chain.segments) s.a.z() *= -1, s.b.z() *= -1;
+        for (PointPrimitive& p : chain.points) p.center.z() *= -1;
+      }
+    }
+    const CompiledField compiled(field), other(mirrored);
+    Block block(random, compiled.bounds(), 200);
+    compiled.EvaluateSamples(block.points(), compiled.All(), block.samples());
+    Block there = block;
+    there.origin.z() *= -1;
+    for (float& z : there.z) z = -z;
+    other.EvaluateSamples(there.points(), other.All(), there.samples());
+    EXPECT_EQ(there.value, block.value);
+    EXPECT_EQ(there.gx, block.gx);
+    for (float& gz : there.gz) gz = -gz;
+    EXPECT_EQ(there.gz, block.gz);
+  });
+}
+
 TEST(CompiledField, IsZeroWithoutPrimitives) {
   const CompiledField empty{Field{}};
   EXPECT_TRUE(empty.bounds().isEmpty());
