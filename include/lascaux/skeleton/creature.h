@@ -55,7 +55,20 @@ struct PlaceInDepthOptions {
   bool operator==(const PlaceInDepthOptions&) const = default;
 };
 
-/// Cuts the skeletons into chains and finds the depth of every part.
+/// Cuts the skeletons into chains and finds the depth of every part; parts come in the order of the
+/// graph.
+///
+/// The body and sagittal parts lie in the plane z = 0. A foreground part's depth is that of its top
+/// disc (where its completion inside the parent is): the parent's surface above it, less the share
+/// s of its radius along the surface's normal. s is the largest in [embed_min, embed_max] that
+/// keeps the part, where it is clear of the parent's outline, pair_gap / 2 of its radius away from
+/// the sagittal plane; when none does, the part moves out further, while one of its discs still
+/// reaches half of its radius into the parent. Islands lie 0.4 radii under the surface. What sits
+/// on a part out of the plane has the depth of its parent, and its mirror image. Radii are the
+/// skeleton's; edges longer than their mean radius get vertices in between.
+///
+/// Notes: "pair-close" for a limb that had to move out. Warnings: "part-loose" for a part that
+/// reaches into its parent at no depth. Cost: less than 1 ms.
 Outcome<Creature> PlaceInDepth(const Parts& parts, const DepthGraph& graph,
                                const std::vector<Skeleton>& skeletons,
                                const PlaceInDepthOptions& options = {});
@@ -80,8 +93,10 @@ struct ModelFrame {
 /// in the end).
 ModelFrame FrameOf(const Parts& parts, const DepthGraph& graph, double size);
 
-/// The field of the creature in model units: caps at every chain's end, slopes corrected, mirrored
-/// partners.
+/// The field of the creature in model units: each chain one integral, capped at its ends so that it
+/// ends in a half ball (a chain of one vertex is a ball); mirrored parts twice, at z and -z, each
+/// blending with its parent's image on the same side. Chains of a part blend by Ricci with exponent
+/// 4, parts with their parents with `blend_exponent`.
 Field MakeField(const Creature& creature, const ModelFrame& frame, double blend_exponent = 4);
 
 }  // namespace lascaux

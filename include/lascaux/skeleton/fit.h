@@ -21,7 +21,8 @@ struct FitOptions {
   double target = 5e-4;  ///< a part is done when no drawn piece is further from its silhouette
   double sample_spacing = 1e-2;    ///< of the outlines, which have 128 samples at least
   double completion_weight = 0.1;  ///< of pieces that nobody drew, against 1 for drawn ones
-  double regularization = 0.05;    ///< how strongly discs hold on to where they were (Tikhonov)
+  double regularization =
+      0.5;  ///< how strongly the first step holds discs where they are (Tikhonov)
 
   bool operator==(const FitOptions&) const = default;
 };

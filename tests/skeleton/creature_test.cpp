@@ -1,0 +1,205 @@
+#include "lascaux/skeleton/creature.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "skeleton/chains.h"
+#include "skeleton/ring.h"
+#include "skeleton/shapes.h"
+
+namespace lascaux {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+Creature Placed(const testing::Drawing& drawing, const PlaceInDepthOptions& options = {}) {
+  const auto skeletons = ExtractSkeletons(drawing.parts, drawing.graph);
+  EXPECT_TRUE(skeletons.ok());
+  auto creature = PlaceInDepth(drawing.parts, drawing.graph, *skeletons, options);
+  EXPECT_TRUE(creature.ok());
+  return *creature;
+}
+
+const CreaturePart& PartOf(const Creature& creature, int part) {
+  return *std::find_if(creature.parts.begin(), creature.parts.end(),
+                       [part](const CreaturePart& p) { return p.part == part; });
+}
+
+TEST(Chains, EachEdgeIsInOneChainAndTheLongestComesFirst) {
+  Skeleton tree;
+  tree.vertices = {{{0, 0}, 1}, {{4, 0}, 1},    {{8, 0}, 1},
+                   {{4, 3}, 1}, {{4, -1}, 0.5}, {{8, 2}, 0.5}};
+  tree.edges = {{{0, 1}}, {{1, 2}}, {{1, 3}}, {{1, 4}}, {{2, 5}}};
+  const std::vector<Chain> chains = CutIntoChains(tree);
+  ASSERT_EQ(chains.size(), 3u);
+  EXPECT_EQ(chains[0].vertices.size(), 4u);
+  EXPECT_EQ(chains[1].vertices.size(), 2u);
+  EXPECT_EQ(chains[1].vertices[0].position, Vector2d(4, 0));
+  EXPECT_EQ(chains[1].vertices[1].position, Vector2d(4, 3));
+  EXPECT_EQ(chains[2].vertices[1].position, Vector2d(4, -1));
+}
+
+TEST(Chains, ASingleVertexIsABall) {
+  Skeleton tree;
+  tree.vertices = {{{1, 2}, 0.5}};
+  const std::vector<Chain> chains = CutIntoChains(tree);
+  ASSERT_EQ(chains.size(), 1u);
+  Field field;
+  field.parts.push_back({{MakeFieldChain(chains[0], {}, 3)}, {}, 3, 1});
+  for (const Vector3d& n : {Vector3d(1, 0, 0), Vector3d(0, 0.6, 0.8), Vector3d(0, 0, -1)}) {
+    EXPECT_NEAR(Evaluate(field, Vector3d(1, -2, 3) + 0.5 * n).value, 1, 1e-12);
+  }
+}
+
+TEST(Chains, CapsEndInHalfBalls) {
+  for (const double length : {0.1, 0.5, 1.0, 4.0}) {
+    const Chain chain{{{{0, 0}, 1}, {{length, 0}, 1}}};
+    Field field;
+    field.parts.push_back({{MakeFieldChain(chain, {}, 0)}, {}, 0, 1});
+    for (int i = 0; i <= 32; ++i) {
+      const double t = 3.14159265 * (i / 32.0 - 0.5);
+      const Vector3d p(length + std::cos(t), std::sin(t), 0);
+      EXPECT_NEAR(SignedDistance(Evaluate(field, p)), 0, length < 1 ? 0.04 : 0.022)
+          << "length " << length << ", angle " << t;
+    }
+  }
+}
+
+TEST(Chains, RefinementKeepsTheDiscsAndShortensTheEdges) {
+  const Chain chain{{{{0, 0}, 1}, {{10, 0}, 2}, {{10, 3}, 1e-9}}};
+  const Chain refined = Refined(chain);
+  for (std::size_t i = 0; i + 1 < refined.vertices.size(); ++i) {
+    const SkeletonVertex &a = refined.vertices[i], &b = refined.vertices[i + 1];
+    EXPECT_LE((b.position - a.position).norm(), 2.5);
+    EXPECT_GE(a.radius, 1e-3);
+    if (a.position.y() == 0 && b.position.y() == 0) {
+      EXPECT_NEAR(a.radius, 1 + 0.1 * a.position.x(), 1e-12);
+    }
+  }
+}
+
+TEST(PlaceInDepth, BodyAndSagittalPartsAreInThePlaneAndOnce) {
+  const Creature beast = Placed(testing::MakeBeast());
+  for (const int part : {testing::kBody, testing::kTail}) {
+    EXPECT_EQ(PartOf(beast, part).z, 0);
+    EXPECT_FALSE(PartOf(beast, part).mirrored);
+  }
+  EXPECT_EQ(beast.parts.size(), 6u);
+}
+
+TEST(PlaceInDepth, LimbsStandApartAndReachIntoTheBody) {
+  const testing::Drawing drawing = testing::MakeBeast();
+  const Creature beast = Placed(drawing);
+  for (const int part : {testing::kFrontLeg, testing::kHindLeg}) {
+    const CreaturePart& leg = PartOf(beast, part);
+    EXPECT_TRUE(leg.mirrored);
+    const double radius = part == testing::kFrontLeg ? 0.45 : 0.5;
+    EXPECT_GE(leg.z - radius, 0.149 * radius);
+    // The body is 1.2 to 1.4 deep there, and the leg's axis is inside of it.
+    EXPECT_LT(leg.z, 1.4 - 0.3 * radius);
+  }
+}
+
+TEST(PlaceInDepth, AWiderGapSetsLimbsFurtherOutUntilTheyWouldComeOff) {
+  const testing::Drawing drawing = testing::MakeBeast();
+  PlaceInDepthOptions options;
+  double before = 0;
+  for (const double gap : {0.0, 2.0, 4.0}) {
+    options.pair_gap = gap;
+    const double z = PartOf(Placed(drawing, options), testing::kHindLeg).z;
+    EXPECT_GE(z, before);
+    before = z;
+  }
+  options.pair_gap = 50;
+  const auto skeletons = ExtractSkeletons(drawing.parts, drawing.graph);
+  const auto creature = PlaceInDepth(drawing.parts, drawing.graph, *skeletons, options);
+  ASSERT_TRUE(creature.ok());
+  const bool noted = std::any_of(creature.diagnostics().begin(), creature.diagnostics().end(),
+                                 [](const Diagnostic& d) { return d.code == "pair-close"; });
+  EXPECT_TRUE(noted);
+  EXPECT_LT(PartOf(*creature, testing::kHindLeg).z, 1.4 + 0.5);
+}
+
+TEST(PlaceInDepth, AnEyeShowsOnBothSidesAndHoldsToTheHead) {
+  const Creature beast = Placed(testing::MakeBeast());
+  const CreaturePart& eye = PartOf(beast, testing::kEye);
+  EXPECT_TRUE(eye.mirrored);
+  const Field field = MakeField(beast, {});
+  Creature blind = beast;
+  blind.parts.erase(std::find_if(blind.parts.begin(), blind.parts.end(),
+                                 [](const CreaturePart& p) { return p.part == testing::kEye; }));
+  for (CreaturePart& p : blind.parts) {
+    if (p.parent && *p.parent > 3) p.parent = *p.parent - 1;
+  }
+  const Field without = MakeField(blind, {});
+  const auto front = [](const Field& f, double side) {
+    double z = 2;
+    while (z > 0 && Evaluate(f, {-3, 0.3, side * z}).value < 1) z -= 0.004;
+    return z;
+  };
+  for (const double side : {1.0, -1.0}) {
+    // It stands out by about 0.6 of its radius of 0.15 along the normal.
+    EXPECT_GT(front(field, side) - front(without, side), 0.06);
+    // No gap between it and the head.
+    for (double z = 0; z < front(field, side); z += 0.005) {
+      EXPECT_GE(Evaluate(field, {-3, 0.3, side * z}).value, 1) << "z " << z;
+    }
+  }
+}
+
+TEST(PlaceInDepth, WhatSitsOnALimbHasItsDepthAndItsMirrorImage) {
+  const Creature beast = Placed(testing::MakeBeast());
+  const CreaturePart& hoof = PartOf(beast, testing::kHoof);
+  EXPECT_EQ(hoof.z, PartOf(beast, testing::kFrontLeg).z);
+  EXPECT_TRUE(hoof.mirrored);
+}
+
+TEST(PlaceInDepth, APartAwayFromItsParentIsReported) {
+  testing::Drawing drawing = testing::OnlyBody(testing::Ellipse({0, 0}, 2, 1));
+  drawing.Add(testing::Ellipse({9, 0}, 1, 1), PartRole::kSagittal, 0);
+  const auto skeletons = ExtractSkeletons(drawing.parts, drawing.graph);
+  ASSERT_TRUE(skeletons.ok());
+  const auto creature = PlaceInDepth(drawing.parts, drawing.graph, *skeletons);
+  ASSERT_TRUE(creature.ok());
+  ASSERT_EQ(creature.diagnostics().size(), 1u);
+  EXPECT_EQ(creature.diagnostics()[0].code, "part-loose");
+  EXPECT_TRUE(creature.diagnostics()[0].at.has_value());
+}
+
+TEST(FrameOf, StandsOnTheGroundWithTheLongestSideAsAsked) {
+  const testing::Drawing beast = testing::MakeBeast();
+  const ModelFrame frame = FrameOf(beast.parts, beast.graph, 100);
+  // x from -4 to 7.25, y from -1.5 to 4; the far leg does not count.
+  EXPECT_NEAR(frame.scale, 100 / 11.25, 1e-9);
+  EXPECT_NEAR(frame.ToModel({-4, 4}).x(), -50, 1e-9);
+  EXPECT_NEAR(frame.ToModel({7.25, 4}).x(), 50, 1e-9);
+  EXPECT_NEAR(frame.ToModel({0, 4}).y(), 0, 1e-9);
+  EXPECT_LT((frame.ToSketch(frame.ToModel({1, 2})) - Vector2d(1, 2)).norm(), 1e-12);
+}
+
+TEST(MakeField, MirroredPartsBlendWithTheirParentsOnTheirSide) {
+  const testing::Drawing drawing = testing::MakeBeast();
+  const Creature beast = Placed(drawing);
+  const ModelFrame frame = FrameOf(drawing.parts, drawing.graph, 100);
+  const Field field = MakeField(beast, frame);
+  // Body, tail once; two legs, eye, hoof twice.
+  ASSERT_EQ(field.parts.size(), 10u);
+  EXPECT_TRUE(Validate(field).empty());
+  for (std::size_t i = 0; i < field.parts.size(); ++i) {
+    const FieldPart& part = field.parts[i];
+    if (!part.parent) continue;
+    EXPECT_LT(*part.parent, static_cast<int>(i));
+    EXPECT_GE(part.z0 * field.parts[*part.parent].z0, 0);
+  }
+  for (const Vector3d& p : {Vector3d(-20, 15, 7), Vector3d(10, 30, 3), Vector3d(-30, 40, 9)}) {
+    const Vector3d image(p.x(), p.y(), -p.z());
+    EXPECT_NEAR(Evaluate(field, p).value, Evaluate(field, image).value, 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace lascaux

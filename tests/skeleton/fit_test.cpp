@@ -1,0 +1,164 @@
+#include "lascaux/skeleton/fit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "lascaux/field/field.h"
+#include "skeleton/chains.h"
+#include "skeleton/planar_field.h"
+#include "skeleton/shapes.h"
+
+namespace lascaux {
+namespace {
+
+using Eigen::Vector2d;
+
+Creature Placed(const testing::Drawing& drawing) {
+  const auto skeletons = ExtractSkeletons(drawing.parts, drawing.graph);
+  EXPECT_TRUE(skeletons.ok());
+  return *PlaceInDepth(drawing.parts, drawing.graph, *skeletons);
+}
+
+std::vector<Chain> RandomChains(std::mt19937& random) {
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::vector<Chain> chains(2);
+  for (Chain& chain : chains) {
+    Vector2d position(uniform(random), uniform(random));
+    for (int i = 0; i < 4; ++i) {
+      chain.vertices.push_back({position, std::exp(0.5 * uniform(random))});
+      position += Vector2d(1.2 + 0.5 * uniform(random), uniform(random));
+    }
+  }
+  chains.push_back({{{{uniform(random), uniform(random)}, 0.8}}});
+  return chains;
+}
+
+TEST(PlanarField, IsTheCreaturesFieldInItsPlane) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> uniform(-4, 6);
+  for (int round = 0; round < 50; ++round) {
+    Creature creature;
+    creature.parts.push_back({0, RandomChains(random), {}, 2, false, 1});
+    const Field field = MakeField(creature, {});
+    PlanarField planar(creature.parts[0].chains);
+    PlanarSample sample;
+    for (int i = 0; i < 40; ++i) {
+      const Vector2d p(uniform(random), uniform(random));
+      planar.Evaluate(p, sample);
+      const FieldSample exact = Evaluate(field, {p.x(), -p.y(), 2});
+      EXPECT_NEAR(sample.value, exact.value, 2e-4 * std::max(1.0, exact.value))
+          << "round " << round;
+      EXPECT_NEAR(sample.gradient.x(), exact.gradient.x(), 2e-3) << "round " << round;
+      EXPECT_NEAR(sample.gradient.y(), -exact.gradient.y(), 2e-3) << "round " << round;
+    }
+  }
+}
+
+TEST(PlanarField, DerivativesAgreeWithDifferences) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> uniform(-2, 5);
+  constexpr double kStep = 1e-5;
+  for (int round = 0; round < 20; ++round) {
+    const std::vector<Chain> chains = RandomChains(random);
+    const Vector2d p(uniform(random), uniform(random));
+    PlanarSample sample, low, high;
+    PlanarField(chains).Evaluate(p, sample);
+    std::vector<double> derivatives(27, 0);
+    for (const auto& [index, value] : sample.derivatives) derivatives[index] += value;
+    int index = 0;
+    for (std::size_t c = 0; c < chains.size(); ++c) {
+      for (std::size_t v = 0; v < chains[c].vertices.size(); ++v) {
+        for (int k = 0; k < 3; ++k, ++index) {
+          const auto moved = [&](double step) {
+            std::vector<Chain> copy = chains;
+            SkeletonVertex& vertex = copy[c].vertices[v];
+            if (k == 0) vertex.radius *= std::exp(step);
+            if (k == 1) vertex.position.x() += step;
+            if (k == 2) vertex.position.y() += step;
+            return copy;
+          };
+          PlanarField(moved(-kStep)).Evaluate(p, low);
+          PlanarField(moved(kStep)).Evaluate(p, high);
+          EXPECT_NEAR(derivatives[index], (high.value - low.value) / (2 * kStep),
+                      1e-3 * std::max(1.0, std::abs(derivatives[index])))
+              << "round " << round << ", chain " << c << ", vertex " << v << ", unknown " << k;
+        }
+      }
+    }
+  }
+}
+
+TEST(FitToDrawing, BringsTheSilhouetteToTheOutline) {
+  struct Case {
+    const char* name;
+    Outline outline;
+    double max, mean;  // shares of the diagonal
+  };
+  for (const Case& c :
+       {Case{"capsule", testing::Capsule({-3, 0}, {3, 0}, 1), 0.002, 0.001},
+        Case{"ellipse", testing::Ellipse({0, 0}, 3, 1.4), 0.003, 0.001},
+        Case{"ear", testing::Ear(), 0.008, 0.003}, Case{"leg", testing::Leg(), 0.006, 0.001}}) {
+    const testing::Drawing drawing = testing::OnlyBody(c.outline);
+    const Creature creature = Placed(drawing);
+    const auto fitted = FitToDrawing(drawing.parts, creature);
+    ASSERT_TRUE(fitted.ok());
+    const FitError before = MeasureFit(drawing.parts, creature)[0];
+    const FitError after = MeasureFit(drawing.parts, *fitted)[0];
+    EXPECT_LT(after.max, c.max) << c.name << " began at " << before.max;
+    EXPECT_LT(after.mean, c.mean) << c.name << " began at " << before.mean;
+  }
+}
+
+TEST(FitToDrawing, EndsNoWorseThanItBegan) {
+  double before_sum = 0, after_sum = 0;
+  for (std::uint32_t seed = 0; seed < 25; ++seed) {
+    const testing::Drawing drawing = testing::OnlyBody(testing::RandomBlob(seed));
+    const Creature creature = Placed(drawing);
+    const auto fitted = FitToDrawing(drawing.parts, creature);
+    ASSERT_TRUE(fitted.ok());
+    FitOptions options;
+    const FitError before = MeasureFit(drawing.parts, creature, options.sample_spacing)[0];
+    const FitError after = MeasureFit(drawing.parts, *fitted, options.sample_spacing)[0];
+    EXPECT_LE(after.max, before.max * 1.02) << "seed " << seed;
+    EXPECT_LT(after.max, 0.025) << "seed " << seed;
+    before_sum += before.mean;
+    after_sum += after.mean;
+  }
+  EXPECT_LT(after_sum, 0.15 * before_sum);
+}
+
+TEST(FitToDrawing, KeepsDepthsAndIgnoresSharedPieces) {
+  const testing::Drawing drawing = testing::MakeBeast();
+  const Creature creature = Placed(drawing);
+  const auto fitted = FitToDrawing(drawing.parts, creature);
+  ASSERT_TRUE(fitted.ok());
+  ASSERT_EQ(fitted->parts.size(), creature.parts.size());
+  for (std::size_t i = 0; i < creature.parts.size(); ++i) {
+    EXPECT_EQ(fitted->parts[i].z, creature.parts[i].z);
+    EXPECT_EQ(fitted->parts[i].chains.size(), creature.parts[i].chains.size());
+    for (const Chain& chain : fitted->parts[i].chains) {
+      for (const SkeletonVertex& v : chain.vertices) {
+        EXPECT_TRUE(v.position.allFinite() && v.radius > 0);
+      }
+    }
+  }
+  testing::Drawing shared = testing::OnlyBody(testing::Capsule({-3, 0}, {3, 0}, 1));
+  for (OutlineKind& kind : shared.parts.parts[0].outline.kinds) kind = OutlineKind::kShared;
+  const Creature start = Placed(shared);
+  EXPECT_EQ(*FitToDrawing(shared.parts, start), start);
+}
+
+TEST(FitToDrawing, ThreadsDoNotChangeTheResult) {
+  const testing::Drawing drawing = testing::MakeBeast();
+  const Creature creature = Placed(drawing);
+  Execution one, many;
+  one.threads = 1;
+  many.threads = 4;
+  EXPECT_EQ(*FitToDrawing(drawing.parts, creature, {}, one),
+            *FitToDrawing(drawing.parts, creature, {}, many));
+}
+
+}  // namespace
+}  // namespace lascaux
