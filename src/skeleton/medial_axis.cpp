@@ -19,6 +19,7 @@ constexpr double kIntegerExtent = 1 << 28;
 constexpr double kFineness = 0.5;
 /// A piece is never cut below this share of the longest one: it bounds the work in sharp corners.
 constexpr double kFinestPiece = 1.0 / 32;
+constexpr int kMostCuts = 4;
 constexpr int kMaxRefinements = 6;
 /// Discs whose centres are this near, relative to the outline's mean piece, are one: cocircular
 /// samples give a cluster.
@@ -141,24 +142,43 @@ std::vector<char> InsideMask(const Graph& graph, const Ring& ring) {
   return inside;
 }
 
-/// The ring with pieces cut in two where they are long against the discs inside that touch their
-/// ends, or where the diagram does not separate its two sides; unchanged when it is fine enough.
-Ring Refined(const Ring& ring, const Graph& graph, const std::vector<char>& inside, double finest) {
+/// Into how many pieces each piece of the ring is to be cut because it is long against the discs
+/// inside that touch its ends.
+std::vector<int> CutsForWidth(const Ring& ring, const Graph& graph,
+                              const std::vector<char>& inside) {
   const std::size_t n = ring.size();
   std::vector<double> reach(n, 0);
   for (const auto& [disc, site] : graph.touches) {
     if (inside[disc]) reach[site] = std::max(reach[site], graph.discs[disc].radius);
   }
-  Ring refined;
-  refined.reserve(n);
+  std::vector<int> cuts(n, 1);
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t next = (i + 1) % n;
     const double length = (ring[next] - ring[i]).norm();
-    const bool coarse = length > kFineness * std::min(reach[i], reach[next]);
-    refined.push_back(ring[i]);
-    if (length > finest && (coarse || !graph.piece_present[i])) {
-      refined.push_back((ring[i] + ring[next]) / 2);
-    }
+    const double wanted = kFineness * std::min(reach[i], reach[next]);
+    cuts[i] = length > kMostCuts * wanted
+                  ? kMostCuts
+                  : std::max(1, static_cast<int>(std::ceil(length / wanted)));
+  }
+  return cuts;
+}
+
+/// In two, where the diagram does not separate the sides of a piece that is longer than `finest`.
+std::vector<int> CutsForSeparation(const Ring& ring, const Graph& graph, double finest) {
+  const std::size_t n = ring.size();
+  std::vector<int> cuts(n, 1);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double length = (ring[(i + 1) % n] - ring[i]).norm();
+    if (length > finest && !graph.piece_present[i]) cuts[i] = 2;
+  }
+  return cuts;
+}
+
+Ring Cut(const Ring& ring, const std::vector<int>& cuts) {
+  Ring refined;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vector2d step = (ring[(i + 1) % ring.size()] - ring[i]) / cuts[i];
+    for (int k = 0; k < cuts[i]; ++k) refined.push_back(ring[i] + k * step);
   }
   return refined;
 }
@@ -222,8 +242,9 @@ Skeleton MedialAxis(const Ring& outline) {
   Graph graph = DualGraph(ring);
   std::vector<char> inside = InsideMask(graph, ring);
   for (int round = 0; round < kMaxRefinements; ++round) {
-    Ring refined = Refined(ring, graph, inside, longest * kFinestPiece);
-    if (refined.size() == ring.size()) break;
+    Ring refined = Cut(ring, round == 0 ? CutsForWidth(ring, graph, inside)
+                                        : CutsForSeparation(ring, graph, longest * kFinestPiece));
+    if (refined.size() == ring.size() && (round > 0 || IsSeparated(graph))) break;
     ring = std::move(refined);
     graph = DualGraph(ring);
     inside = InsideMask(graph, ring);
