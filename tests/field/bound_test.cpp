@@ -206,7 +206,13 @@ TEST(BoundOnBall, HoldsForTipsAndSteepSegments) {
     field.parts[0].chains.push_back({{segment}, {}});
     const CompiledField compiled(field);
     for (int k = 0; k < 30; ++k) {
-      const Ball ball{testing::PointNear(random, segment), random.LogUniform(1e-4, 3)};
+      Ball ball{testing::PointNear(random, segment), random.LogUniform(1e-4, 3)};
+      if (k % 2 == 0) {
+        // Within the reach of the last piece of a tip, whose radii have no ratio.
+        const double reach = kTipRadius * std::max(segment.radius_a, segment.radius_b);
+        ball = {segment.b + reach * random.LogUniform(1e-3, 1) * random.Direction(),
+                reach * random.LogUniform(1e-6, 1)};
+      }
       const BallBounds found = compiled.BoundOnBall(ball, compiled.All());
       for (int i = 0; i < 20; ++i) {
         const double value =
