@@ -238,7 +238,7 @@ TEST(SvgDocument, EntitiesOfItsOwnAreReplaced) {
 
 TEST(SvgDocument, PlacesAreThoseOfTheFileBeforeItsEntitiesWereReplaced) {
   const Outcome<Sketch> outcome =
-      ReadSvg("<!DOCTYPE svg [<!ENTITY long '12345678901234567890\n\n']>\n" +
+      ReadSvg("<!DOCTYPE svg [<!ENTITY long '12345678901234567890\n\n'>]>\n" +
               Svg("\n<title>&long;</title>\n  " + Path("M0 0 1 1 x")));
   EXPECT_NE(MessageOf(outcome, "bad-path-data").find("line 6, column 4"), std::string::npos)
       << MessageOf(outcome, "bad-path-data");
