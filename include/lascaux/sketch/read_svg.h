@@ -11,16 +11,37 @@
 
 namespace lascaux {
 
-/// Limits of what is taken for a drawing; a file beyond them is refused with a diagnosis, before it costs memory.
+/// Limits of what is taken for a drawing; a file beyond them is refused with a diagnosis, before it
+/// costs memory. Four steps of reading are allowed for each of `max_bytes`, which bounds what `use`
+/// and style rules multiply.
 struct ReadSvgOptions {
-  std::size_t max_bytes = 64u << 20;
-  int max_pieces = 400'000;  ///< Bézier pieces, after `use` is expanded
-  int max_depth = 200;       ///< nesting of elements and of `use`
+  std::size_t max_bytes = 64u << 20;  ///< of the file, and of the text that its entities stand for
+  int max_pieces = 400'000;           ///< Bézier pieces, after `use` is expanded
+  int max_depth = 200;                ///< nesting of elements and of `use`
 
   bool operator==(const ReadSvgOptions&) const = default;
 };
 
-/// Reads a document from its bytes.
+/// Reads a document from its bytes: any bytes, in UTF-8, UTF-16, UTF-32 or Latin-1.
+///
+/// Strokes are what elements with a visible stroke draw: paths, basic shapes, and what `use` copies
+/// of them; in a drawing without any, the outlines of its filled areas. Each subpath is a stroke.
+/// Styles come from attributes, `style` and style sheets (names, classes, ids, nesting); clip
+/// paths, masks, dashes and markers have no effect. All curves become cubics: exactly, but for
+/// elliptic arcs, which are followed to 5e-6 of their radii. Consecutive pieces join exactly, and a
+/// closed stroke ends exactly where it begins.
+///
+/// Curves that are drawn twice, in either direction, are kept once, with the fill of those that go.
+/// Pieces without length are dropped; a stroke of such is a dot if its caps are round, else
+/// nothing.
+///
+/// Linear in the bytes plus the pieces, but for sorting: 0.05 ms for a drawing of 10 KB.
+///
+/// Errors, each with its place: "not-svg", "broken-xml", "no-strokes", "not-finite" (coordinates
+/// must be at most 1e75, the drawing not smaller than 1e-75), "too-large". Warnings:
+/// "bad-path-data" (what stands before the fault is kept), "bad-attribute", "bad-reference". Notes:
+/// "duplicate-stroke", "zero-length-piece", "ignored-element". Of each code at most 20, and how
+/// many more there are.
 Outcome<Sketch> ReadSvg(std::string_view bytes, const ReadSvgOptions& options = {});
 
 }  // namespace lascaux

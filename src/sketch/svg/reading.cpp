@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kStepsPerByte = 4;
 
 /// What an element costs beside its attributes, and a comparison of a selector, in steps.
-constexpr std::size_t kStepsPerElement = 64, kStepsPerComparison = 4;
+constexpr std::size_t kStepsPerElement = 256, kStepsPerComparison = 32;
 
 std::size_t AllSteps(const ReadSvgOptions& options) {
   constexpr std::size_t kMost = std::numeric_limits<std::size_t>::max() / kStepsPerByte;
