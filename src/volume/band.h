@@ -23,6 +23,9 @@ inline constexpr std::int32_t kNoBlock = -1;
 /// Larger than any distance that matters, in voxels.
 inline constexpr float kFar = 16;
 
+/// As far as distances are computed: the band, and what the scheme may err there.
+inline constexpr float kSweepVoxels = 3.25F;
+
 /// One bit a voxel, one word for each x: bit 8 y + z.
 using VoxelMask = std::array<std::uint64_t, 8>;
 
@@ -37,10 +40,16 @@ struct Band {
   std::size_t size() const noexcept { return origins.size(); }
 };
 
+/// What a band is made from.
+struct BandSource {
+  const CompiledField& field;
+  const std::vector<Block>& blocks;
+  double voxel_size;
+};
+
 /// Evaluates the field in each block: `inside`, and as `distance` the first-order distance, capped
 /// at kFar; where that is below about one voxel, once more from the foot of the perpendicular.
-Band EvaluateBand(const CompiledField& field, const std::vector<Block>& blocks, double voxel_size,
-                  const Execution& execution);
+Band EvaluateBand(const BandSource& source, const Execution& execution);
 
 /// Voxels with a neighbour along an axis on the other side of the surface, for each block.
 std::vector<VoxelMask> FindCrossings(const Band& band);
@@ -48,13 +57,18 @@ std::vector<VoxelMask> FindCrossings(const Band& band);
 /// Fills in `neighbours`.
 void ConnectBlocks(Band& band);
 
-/// Keeps the distances of the voxels in `crossings` (capped at 1, which they can't exceed) and
-/// replaces all others by the solution of |grad d| = 1 from there, as far as kBandVoxels.
+/// Keeps the distances of the voxels in `crossings` and replaces all others by the solution of
+/// |grad d| = 1 from there, as far as kSweepVoxels.
 ///
 /// Godunov's upwind scheme, solved by Jacobi iteration to its fixed point: the same bits for any
 /// number of threads, and symmetric where the input is. Source: H. Zhao, "A fast sweeping method
 /// for Eikonal equations", Mathematics of Computation 74(250), 2005, for the scheme.
 void SweepDistances(Band& band, const std::vector<VoxelMask>& crossings,
                     const Execution& execution);
+
+/// Replaces swept distances by the distance to the plane that is tangent to the surface at the foot
+/// of the perpendicular: second order where the scheme is first. `source` as for EvaluateBand.
+void RefineDistances(const BandSource& source, const std::vector<VoxelMask>& crossings, Band& band,
+                     const Execution& execution);
 
 }  // namespace lascaux

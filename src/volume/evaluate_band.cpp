@@ -6,34 +6,10 @@
 #include <unordered_map>
 
 #include "volume/band.h"
+#include "volume/block_samples.h"
 
 namespace lascaux {
 namespace {
-
-/// Offsets of a block's voxels from its centre, in the field's unit.
-struct BlockOffsets {
-  std::array<float, kBlockVoxels> x, y, z;
-
-  explicit BlockOffsets(double voxel_size) {
-    for (std::size_t i = 0; i < kBlockVoxels; ++i) {
-      const auto offset = [&](std::size_t k) {
-        return static_cast<float>(voxel_size * (static_cast<double>(k) - 0.5 * (kBlockSide - 1)));
-      };
-      x[i] = offset(i / 64);
-      y[i] = offset(i / 8 % 8);
-      z[i] = offset(i % 8);
-    }
-  }
-};
-
-/// A block's samples; one for each thread's stack.
-struct Samples {
-  std::array<float, kBlockVoxels> value, x, y, z, distance;
-
-  SampleBlock First(std::size_t n) {
-    return {{value.data(), n}, {x.data(), n}, {y.data(), n}, {z.data(), n}};
-  }
-};
 
 // A voxel next to the surface is at most one voxel from it; the first-order distance errs by a few
 // percent there.
@@ -42,19 +18,18 @@ constexpr float kRefineVoxels = 1.25F;
 /// Evaluates one block at a time.
 class BlockEvaluator {
  public:
-  BlockEvaluator(const CompiledField& field, double voxel_size)
-      : field_(field), voxel_size_(voxel_size), offsets_(voxel_size) {}
+  explicit BlockEvaluator(const BandSource& source)
+      : source_(source), offsets_(source.voxel_size) {}
 
   void Run(const Block& block, VoxelMask& inside, std::span<float> distance) const {
-    const openvdb::Coord& o = block.origin;
-    const Eigen::Vector3d corner(o.x(), o.y(), o.z());
-    const Eigen::Vector3d center = voxel_size_ * (corner.array() + 0.5 * (kBlockSide - 1));
-    const auto limit = static_cast<float>(static_cast<double>(kFar) * voxel_size_);
-    const auto to_voxels = static_cast<float>(1 / voxel_size_);
+    const Eigen::Vector3d center = BlockCenter(block, source_.voxel_size);
+    const auto limit = static_cast<float>(static_cast<double>(kFar) * source_.voxel_size);
+    const auto to_voxels = static_cast<float>(1 / source_.voxel_size);
     Samples first;
-    const SampleBlock samples = first.First(kBlockVoxels);
-    field_.EvaluateSamples({center, offsets_.x, offsets_.y, offsets_.z}, block.active, samples);
-    SignedDistances(samples, limit, first.distance, field_.isa());
+    first.x = offsets_.x;
+    first.y = offsets_.y;
+    first.z = offsets_.z;
+    first.Evaluate(source_.field, block, center, kBlockVoxels, limit);
 
     const float near = kRefineVoxels / to_voxels;
     std::array<std::uint16_t, kBlockVoxels> refined;
@@ -63,8 +38,8 @@ class BlockEvaluator {
     for (std::size_t i = 0; i < kBlockVoxels; ++i) {
       const float d = first.distance[i];
       distance[i] = std::abs(d) * to_voxels;
-      if (first.value[i] > static_cast<float>(kIsoValue))
-        inside[i / 64] |= std::uint64_t{1} << i % 64;
+      const bool is_inside = first.value[i] > static_cast<float>(kIsoValue);
+      inside[i / 64] |= static_cast<std::uint64_t>(is_inside) << i % 64;
       refined[count] = static_cast<std::uint16_t>(i);
       count += std::abs(d) < near ? 1 : 0;
     }
@@ -74,42 +49,36 @@ class BlockEvaluator {
     Samples foot;
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t i = refined[k];
-      const float gx = first.x[i], gy = first.y[i], gz = first.z[i];
-      const float step = first.distance[i] / std::sqrt(gx * gx + gy * gy + gz * gz);
       // F falls outward, so the gradient points to the inside.
-      foot.x[k] = offsets_.x[i] + step * gx;
-      foot.y[k] = offsets_.y[i] + step * gy;
-      foot.z[k] = offsets_.z[i] + step * gz;
+      const Eigen::Vector3f way = first.distance[i] * first.Gradient(i).normalized();
+      foot.x[k] = offsets_.x[i] + way.x();
+      foot.y[k] = offsets_.y[i] + way.y();
+      foot.z[k] = offsets_.z[i] + way.z();
     }
-    Samples again;
-    const PointBlock feet = {
-        center, {foot.x.data(), count}, {foot.y.data(), count}, {foot.z.data(), count}};
-    field_.EvaluateSamples(feet, block.active, again.First(count));
-    SignedDistances(again.First(count), limit, {again.distance.data(), count}, field_.isa());
+    foot.Evaluate(source_.field, block, center, count, limit);
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t i = refined[k];
       const bool is_inside = (inside[i / 64] >> i % 64 & 1) != 0;
-      const float d = first.distance[i] + again.distance[k];
+      const float d = first.distance[i] + foot.distance[k];
       distance[i] = std::clamp((is_inside ? -d : d) * to_voxels, 0.0F, kFar);
     }
   }
 
  private:
-  const CompiledField& field_;
-  double voxel_size_;
+  const BandSource& source_;
   BlockOffsets offsets_;
 };
 
 }  // namespace
 
-Band EvaluateBand(const CompiledField& field, const std::vector<Block>& blocks, double voxel_size,
-                  const Execution& execution) {
+Band EvaluateBand(const BandSource& source, const Execution& execution) {
+  const std::vector<Block>& blocks = source.blocks;
   Band band;
   band.origins.reserve(blocks.size());
   for (const Block& block : blocks) band.origins.push_back(block.origin);
   band.inside.resize(blocks.size());
   band.distance.resize(kBlockVoxels * blocks.size());
-  const BlockEvaluator evaluator(field, voxel_size);
+  const BlockEvaluator evaluator(source);
   tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
     if (execution.IsCancelled()) return;
     evaluator.Run(blocks[b], band.inside[b],

@@ -67,7 +67,8 @@ Outcome<openvdb::FloatGrid::Ptr> Fill(const Field& field, double voxel_size,
   search.upper_half = IsMirrorSymmetric(field);
   const FoundBlocks found = FindBlocks(compiled, search, execution);
 
-  Band band = EvaluateBand(compiled, found.blocks, voxel_size, execution);
+  const BandSource source = {compiled, found.blocks, voxel_size};
+  Band band = EvaluateBand(source, execution);
   if (execution.IsCancelled()) return Result::Failure(Cancelled());
   band.upper_half = search.upper_half;
   ConnectBlocks(band);
@@ -77,6 +78,7 @@ Outcome<openvdb::FloatGrid::Ptr> Fill(const Field& field, double voxel_size,
   if (is_empty) return Result::Failure(EmptyField());
 
   SweepDistances(band, crossings, execution);
+  RefineDistances(source, crossings, band, execution);
   if (execution.IsCancelled()) return Result::Failure(Cancelled());
   return WriteGrid(band, found.inside, voxel_size);
 }

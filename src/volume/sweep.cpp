@@ -5,20 +5,11 @@
 #include <cmath>
 #include <cstring>
 
-#include "lascaux/volume/level_set.h"
 #include "volume/band.h"
+#include "volume/band_view.h"
 
 namespace lascaux {
 namespace {
-
-using Lines = std::array<float, kBlockVoxels>;
-
-/// What lies around a block: pointers to the values of the six neighbours.
-struct Around {
-  const float* own;
-  std::array<const float*, 6> beside;
-  bool mirrors;  // z = -1 is z = 1
-};
 
 // Four lanes: what every x86-64 and ARM processor has, in the notation that g++ and clang share.
 constexpr std::size_t kLanes = 4;
@@ -55,30 +46,25 @@ inline Lanes Solve(Lanes x, Lanes y, Lanes z) {
   return a + (b < 1.0F ? beyond_b : All(1));
 }
 
-/// Where the values of a line of eight and of the lines beside it are.
-struct Line {
-  const float* own;
-  std::array<const float*, 4> beside;  // at -x, +x, -y, +y
-  float before, after;                 // at -z and +z of its ends
-};
-
 /// The new values of a line; `fixed` is below kFar where a value is given. Returns whether a value
 /// within the band changed.
-inline bool UpdateLine(const Line& line, const float* fixed, float* out) {
+inline bool UpdateLine(const BandView& view, std::size_t at, const float* fixed, float* out) {
+  const float* const line = view.Line(at);
+  const std::array<const float*, 4> beside = view.LinesBeside(at);
   std::array<float, 10> z;
-  z[0] = line.before;
-  std::memcpy(&z[1], line.own, 8 * sizeof(float));
-  z[9] = line.after;
+  z[0] = view.BeforeLine(at);
+  std::memcpy(&z[1], line, 8 * sizeof(float));
+  z[9] = view.AfterLine(at);
   Lanes largest_change{};
   for (std::size_t k = 0; k < 8; k += kLanes) {
-    const Lanes own = Load(line.own + k), given = Load(fixed + k);
-    const Lanes solved = Solve(Min(Load(line.beside[0] + k), Load(line.beside[1] + k)),
-                               Min(Load(line.beside[2] + k), Load(line.beside[3] + k)),
-                               Min(Load(&z[k]), Load(&z[k + 2])));
+    const Lanes own = Load(line + k), given = Load(fixed + at + k);
+    const Lanes solved =
+        Solve(Min(Load(beside[0] + k), Load(beside[1] + k)),
+              Min(Load(beside[2] + k), Load(beside[3] + k)), Min(Load(&z[k]), Load(&z[k + 2])));
     const Lanes next = given < kFar ? given : Min(solved, own);
-    const Lanes change = next < static_cast<float>(kBandVoxels) ? own - next : Lanes{};
+    const Lanes change = next < kSweepVoxels ? own - next : Lanes{};
     largest_change = Max(largest_change, change);
-    std::memcpy(out + k, &next, sizeof next);
+    std::memcpy(out + at + k, &next, sizeof next);
   }
   float largest = 0;
   for (std::size_t k = 0; k < kLanes; ++k) largest = std::max(largest, largest_change[k]);
@@ -104,64 +90,60 @@ LineMask LinesToUpdate(const Band& band, std::size_t block, const std::vector<Li
 
 /// One iteration of the lines in `lines` of one block: to `out`, from the values around it. Returns
 /// the lines in which a value within the band changed.
-LineMask Iterate(const Around& around, LineMask lines, const float* fixed, float* out) {
+LineMask Iterate(const BandView& view, LineMask lines, const float* fixed, float* out) {
   LineMask changed = 0;
   for (; lines != 0; lines &= lines - 1) {
     const auto bit = static_cast<std::size_t>(std::countr_zero(lines));
-    const std::size_t x = bit / 8, y = bit % 8, at = 8 * bit;
-    Line line;
-    line.own = around.own + at;
-    line.beside = {x > 0 ? line.own - 64 : around.beside[0] + at + 7 * 64,
-                   x < 7 ? line.own + 64 : around.beside[1] + at - 7 * 64,
-                   y > 0 ? line.own - 8 : around.beside[2] + at + 7 * 8,
-                   y < 7 ? line.own + 8 : around.beside[3] + at - 7 * 8};
-    line.before = around.mirrors ? line.own[1] : around.beside[4][at + 7];
-    line.after = around.beside[5][at];
-    if (UpdateLine(line, fixed + at, out + at)) changed |= LineMask{1} << bit;
+    if (UpdateLine(view, 8 * bit, fixed, out)) changed |= LineMask{1} << bit;
   }
   return changed;
 }
 
-/// Distances known at the crossings, kFar elsewhere. Returns for each block the lines with some.
-std::vector<LineMask> FixCrossings(Band& band, const std::vector<VoxelMask>& crossings) {
-  std::vector<LineMask> lines(band.size(), 0);
+/// The distance at a crossing. Along an axis, the distances of two voxels on different sides can't
+/// add up to more than the voxel between them; where they do, in creases that one of them does not
+/// see, they are scaled down.
+float DistanceAtCrossing(const BandView& view, std::size_t i) {
+  const float own = std::min(view.At(i), 1.0F);
+  float most = own;
+  for (std::size_t side = 0; side < 6; ++side) {
+    if (view.IsInsideBeside(i, side) == view.IsInside(i)) continue;
+    const float beyond = std::min(view.Beside(i, side), 1.0F);
+    if (own + beyond > 1) most = std::min(most, own / (own + beyond));
+  }
+  return most;
+}
+
+/// Distances at the crossings, kFar elsewhere; sets in `lines` those that have some.
+std::vector<float> FixCrossings(const Band& band, const std::vector<VoxelMask>& crossings,
+                                std::vector<LineMask>& lines) {
+  std::vector<float> fixed(band.distance.size(), kFar);
+  lines.assign(band.size(), 0);
   tbb::parallel_for(std::size_t{0}, band.size(), [&](std::size_t b) {
-    for (std::size_t i = 0; i < kBlockVoxels; ++i) {
-      const bool crosses = (crossings[b][i / 64] >> i % 64 & 1) != 0;
-      float& d = band.distance[kBlockVoxels * b + i];
-      d = crosses ? std::min(d, 1.0F) : kFar;
-      if (crosses) lines[b] |= LineMask{1} << i / 8;
+    const BandView view(band, band.distance, b);
+    for (std::size_t x = 0; x < 8; ++x) {
+      for (std::uint64_t word = crossings[b][x]; word != 0; word &= word - 1) {
+        const std::size_t i = 64 * x + static_cast<std::size_t>(std::countr_zero(word));
+        fixed[kBlockVoxels * b + i] = DistanceAtCrossing(view, i);
+        lines[b] |= LineMask{1} << i / 8;
+      }
     }
   });
-  return lines;
+  return fixed;
 }
 
 }  // namespace
 
 void SweepDistances(Band& band, const std::vector<VoxelMask>& crossings,
                     const Execution& execution) {
-  static const Lines kNothing = [] {
-    Lines lines;
-    lines.fill(kFar);
-    return lines;
-  }();
-  std::vector<LineMask> changed = FixCrossings(band, crossings), changes(band.size());
-  const std::vector<float> fixed = band.distance;
-  std::vector<float> next = band.distance;
+  std::vector<LineMask> changed, changes(band.size());
+  const std::vector<float> fixed = FixCrossings(band, crossings, changed);
+  std::vector<float> next = band.distance = fixed;
   const auto is_settled = [](LineMask mask) { return mask == 0; };
   while (!std::all_of(changed.begin(), changed.end(), is_settled) && !execution.IsCancelled()) {
     // A line that is left out has not changed in the last iteration, so `next` holds its values.
     tbb::parallel_for(std::size_t{0}, band.size(), [&](std::size_t b) {
-      Around around;
-      around.own = band.distance.data() + kBlockVoxels * b;
-      for (std::size_t side = 0; side < 6; ++side) {
-        const std::int32_t n = band.neighbours[b][side];
-        around.beside[side] =
-            n == kNoBlock ? kNothing.data()
-                          : band.distance.data() + kBlockVoxels * static_cast<std::size_t>(n);
-      }
-      around.mirrors = band.upper_half && band.origins[b].z() == 0;
-      changes[b] = Iterate(around, LinesToUpdate(band, b, changed), fixed.data() + kBlockVoxels * b,
+      const BandView view(band, band.distance, b);
+      changes[b] = Iterate(view, LinesToUpdate(band, b, changed), fixed.data() + kBlockVoxels * b,
                            next.data() + kBlockVoxels * b);
     });
     std::swap(band.distance, next);
