@@ -8,7 +8,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Wang's bound grows with the curve; a drawing's curve that needs more samples than this is not a drawing's curve.
+/// Wang's bound grows with the curve; a drawing's curve that needs more samples than this is not a
+/// drawing's curve.
 constexpr int kMaxFlattenSteps = 4095;
 
 Vector2d Lerp(const Vector2d& a, const Vector2d& b, double t) { return a + t * (b - a); }
@@ -21,7 +22,8 @@ Vector2d DirectionToFirstOther(const Vector2d& from, const Points&... to) {
   return direction.isZero(0) ? direction : direction.stableNormalized();
 }
 
-/// Parameters in (0, 1) at which one coordinate of the derivative vanishes; n values are written to `roots`.
+/// Parameters in (0, 1) at which one coordinate of the derivative vanishes; n values are written to
+/// `roots`.
 int ExtremeParameters(const CubicBezier& curve, int axis, double roots[2]) {
   const double a = curve.p[1][axis] - curve.p[0][axis];
   const double b = curve.p[2][axis] - curve.p[1][axis];

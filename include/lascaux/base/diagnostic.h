@@ -10,13 +10,24 @@
 
 namespace lascaux {
 
-/// How much a diagnostic matters: a note is for the curious, a warning is a guess, an error means that there is no result.
+/// How much a diagnostic matters: a note is for the curious, a warning is a guess, an error means
+/// that there is no result.
 enum class Severity { kNote, kWarning, kError };
 
 /// The program's exit code that an error leads to (docs/diagnostics.md has the table of codes).
-enum class FailureKind { kNone, kUsage, kInput, kUnderstanding, kOutput, kMesh, kBug, kInterrupted };
+enum class FailureKind {
+  kNone,
+  kUsage,
+  kInput,
+  kUnderstanding,
+  kOutput,
+  kMesh,
+  kBug,
+  kInterrupted
+};
 
-/// One finding. `code` is stable and meant for scripts, `message` is for people: what, where, with the numbers, and the remedy.
+/// One finding. `code` is stable and meant for scripts, `message` is for people: what, where, with
+/// the numbers, and the remedy.
 struct Diagnostic {
   Severity severity = Severity::kNote;
   FailureKind failure = FailureKind::kNone;  ///< only for errors

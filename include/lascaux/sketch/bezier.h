@@ -19,8 +19,9 @@ struct CubicBezier {
   Eigen::Vector2d Derivative(double t) const;
   Eigen::Vector2d SecondDerivative(double t) const;
 
-  /// Unit tangent at the beginning and at the end, in the curve's direction; falls back to later control points
-  /// where handles coincide with their ends, zero only for a curve that is one point.
+  /// Unit tangent at the beginning and at the end, in the curve's direction; falls back to later
+  /// control points where handles coincide with their ends, zero only for a curve that is one
+  /// point.
   Eigen::Vector2d StartTangent() const;
   Eigen::Vector2d EndTangent() const;
 
@@ -45,10 +46,11 @@ struct CurveSample {
   double t = 0;
 };
 
-/// Samples of the curve, both ends included, such that the polyline is within `tolerance` (> 0) of it.
+/// Samples of the curve, both ends included, such that the polyline is within `tolerance` (> 0) of
+/// it.
 ///
-/// At least two samples; at most 4096. Uniform in t, their number from the bound on the second derivative
-/// (Wang's formula), so the cost is known before.
+/// At least two samples; at most 4096. Uniform in t, their number from the bound on the second
+/// derivative (Wang's formula), so the cost is known before.
 std::vector<CurveSample> Flatten(const CubicBezier& curve, double tolerance);
 
 }  // namespace lascaux

@@ -17,9 +17,17 @@
 
 namespace lascaux {
 
-/// How many of a part are built: the body and sagittal parts one in the plane; foreground parts and islands two, the drawn
-/// one and its mirror image; background parts none of their own. kNone: ignored (a fold line's crumb, a void).
-enum class PartRole : std::uint8_t { kBody, kForeground, kBackground, kSagittal, kIsland, kIgnored };
+/// How many of a part are built: the body and sagittal parts one in the plane; foreground parts and
+/// islands two, the drawn one and its mirror image; background parts none of their own. kNone:
+/// ignored (a fold line's crumb, a void).
+enum class PartRole : std::uint8_t {
+  kBody,
+  kForeground,
+  kBackground,
+  kSagittal,
+  kIsland,
+  kIgnored
+};
 
 /// A part's relation to its parent.
 enum class Relation : std::uint8_t { kNone, kOver, kUnder, kAdjacent, kOverIn };
@@ -27,18 +35,21 @@ enum class Relation : std::uint8_t { kNone, kOver, kUnder, kAdjacent, kOverIn };
 /// One node of the depth graph; node i belongs to Parts::parts[i].
 struct DepthNode {
   PartRole role = PartRole::kSagittal;
-  std::optional<int> parent;  ///< the part that it is placed by; none for the body and ignored parts
+  std::optional<int>
+      parent;  ///< the part that it is placed by; none for the body and ignored parts
   Relation relation = Relation::kNone;
-  std::optional<int> pair;  ///< foreground: its drawn far part, if any; background: its near partner
-  /// Background parts that are hidden in between show in several pieces: all but the first name the first here,
-  /// and are no part by themselves.
+  std::optional<int>
+      pair;  ///< foreground: its drawn far part, if any; background: its near partner
+  /// Background parts that are hidden in between show in several pieces: all but the first name the
+  /// first here, and are no part by themselves.
   std::optional<int> piece_of;
-  std::string name;         ///< "body", "limb-1", "limb-1-far", "eye-6", "part-5": unique
+  std::string name;  ///< "body", "limb-1", "limb-1-far", "eye-6", "part-5": unique
 
   bool operator==(const DepthNode&) const = default;
 };
 
-/// The depth graph: a tree towards the body, plus pairs. `order` lists the parts so that parents come first.
+/// The depth graph: a tree towards the body, plus pairs. `order` lists the parts so that parents
+/// come first.
 struct DepthGraph {
   std::vector<DepthNode> nodes;
   int body = 0;
@@ -49,13 +60,15 @@ struct DepthGraph {
 };
 
 struct OrderByDepthOptions {
-  std::optional<Eigen::Vector2d> body;  ///< a point in the torso, in sketch units, when the automatic choice is wrong
+  std::optional<Eigen::Vector2d>
+      body;  ///< a point in the torso, in sketch units, when the automatic choice is wrong
 
   bool operator==(const OrderByDepthOptions&) const = default;
 };
 
 /// Finds the body, the pairs and the relations between parts.
-Outcome<DepthGraph> OrderByDepth(const PlanarMap& map, const Parts& parts, const OrderByDepthOptions& options = {},
+Outcome<DepthGraph> OrderByDepth(const PlanarMap& map, const Parts& parts,
+                                 const OrderByDepthOptions& options = {},
                                  const Execution& execution = {});
 
 /// "body", "foreground", "background", "sagittal", "island", "ignored".

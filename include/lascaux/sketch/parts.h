@@ -12,20 +12,21 @@
 #include "lascaux/sketch/planar_map.h"
 
 /// @file
-/// Structural parts: the closed outlines that the drawing's cycles, suggestive curves and completions make.
+/// Structural parts: the closed outlines that the drawing's cycles, suggestive curves and
+/// completions make.
 ///
 /// Source: Entem et al. 2015, sections 4.1 and 4.2.
 
 namespace lascaux {
 
-/// Where a piece of an outline comes from: drawn and visible, invented to close the part, or shared with another part
-/// (a fit has to follow the first kind alone).
+/// Where a piece of an outline comes from: drawn and visible, invented to close the part, or shared
+/// with another part (a fit has to follow the first kind alone).
 enum class OutlineKind : std::uint8_t { kDrawn, kCompletion, kShared };
 
 /// A closed ring in sketch units; the last point is joined to the first, no point is repeated.
 ///
-/// `kinds[i]` belongs to the piece from `points[i]` to the next point. Positive area in the sketch frame's own
-/// (x right, y down) shoelace formula, that is, clockwise as seen on the page.
+/// `kinds[i]` belongs to the piece from `points[i]` to the next point. Positive area in the sketch
+/// frame's own (x right, y down) shoelace formula, that is, clockwise as seen on the page.
 struct Outline {
   std::vector<Eigen::Vector2d> points;
   std::vector<OutlineKind> kinds;
@@ -33,15 +34,19 @@ struct Outline {
   bool operator==(const Outline&) const = default;
 };
 
-/// How a limb was cut from its parent: two suggestive curves, or one and a partner that was inferred, or a neck.
+/// How a limb was cut from its parent: two suggestive curves, or one and a partner that was
+/// inferred, or a neck.
 enum class LimbEvidence : std::uint8_t { kTwoCurves, kOneCurve, kNeck };
 
 /// The place where a limb grows out of its parent.
 struct LimbRoot {
-  std::array<Eigen::Vector2d, 2> closed;  ///< closed ends: where the suggestive curves leave the parent's outline
-  std::array<Eigen::Vector2d, 2> open;    ///< open ends, same order
-  std::vector<Eigen::Vector2d> closed_completion;  ///< parent's outline under the limb, closed[0] to closed[1]
-  std::vector<Eigen::Vector2d> open_completion;    ///< limb's outline inside the parent, open[0] to open[1]
+  std::array<Eigen::Vector2d, 2>
+      closed;  ///< closed ends: where the suggestive curves leave the parent's outline
+  std::array<Eigen::Vector2d, 2> open;  ///< open ends, same order
+  std::vector<Eigen::Vector2d>
+      closed_completion;  ///< parent's outline under the limb, closed[0] to closed[1]
+  std::vector<Eigen::Vector2d>
+      open_completion;  ///< limb's outline inside the parent, open[0] to open[1]
   LimbEvidence evidence = LimbEvidence::kTwoCurves;
   double energy = 0;  ///< pairing energy, scale free; small is good
 
@@ -59,13 +64,15 @@ enum class PartKind : std::uint8_t {
 /// One structural part. Its index in Parts::parts is its id everywhere after.
 struct Part {
   PartKind kind = PartKind::kBorder;
-  Outline outline;                ///< completed where the drawing leaves it open
-  std::optional<int> over;        ///< for limbs: the part that it was cut from and lies over
-  std::optional<LimbRoot> root;   ///< for limbs
-  std::vector<int> cycles;        ///< cycles of the planar map that it covers (a limb: the one it was cut from)
-  /// Half-edges of the planar map on its outline, in order: one list for each stretch between completions.
+  Outline outline;               ///< completed where the drawing leaves it open
+  std::optional<int> over;       ///< for limbs: the part that it was cut from and lies over
+  std::optional<LimbRoot> root;  ///< for limbs
+  std::vector<int>
+      cycles;  ///< cycles of the planar map that it covers (a limb: the one it was cut from)
+  /// Half-edges of the planar map on its outline, in order: one list for each stretch between
+  /// completions.
   std::vector<std::vector<int>> stretches;
-  std::vector<int> strokes;       ///< strokes that bound it, ascending
+  std::vector<int> strokes;  ///< strokes that bound it, ascending
 
   bool operator==(const Part&) const = default;
 };
@@ -79,7 +86,8 @@ struct Parts {
 
 /// How to read suggestive curves. Lengths are relative to the diagonal of the drawing.
 struct FindPartsOptions {
-  /// What it costs, in units of the scale-free energy, to leave a suggestive curve without a partner.
+  /// What it costs, in units of the scale-free energy, to leave a suggestive curve without a
+  /// partner.
   double single_cost = 1.5;
 
   bool operator==(const FindPartsOptions&) const = default;

@@ -20,17 +20,21 @@ namespace lascaux {
 /// A place where edges meet or end.
 struct MapNode {
   Eigen::Vector2d position;
-  std::vector<int> outgoing;  ///< half-edges that begin here, by ascending angle in the sketch frame
+  std::vector<int>
+      outgoing;  ///< half-edges that begin here, by ascending angle in the sketch frame
 
   bool operator==(const MapNode&) const = default;
 };
 
-/// A piece of a stroke between two nodes. Half-edge 2e runs along `points`, half-edge 2e + 1 against them.
+/// A piece of a stroke between two nodes. Half-edge 2e runs along `points`, half-edge 2e + 1
+/// against them.
 struct MapEdge {
-  std::vector<Eigen::Vector2d> points;  ///< flattened curve, both nodes included, no two in a row equal
-  Eigen::Vector2d start_tangent, end_tangent;  ///< unit, of the curve itself, in the direction of `points`
-  int stroke = -1;                             ///< the stroke that it is a piece of; -1 for a closure of a gap
-  std::array<int, 2> nodes{};                  ///< where it begins and ends
+  std::vector<Eigen::Vector2d>
+      points;  ///< flattened curve, both nodes included, no two in a row equal
+  Eigen::Vector2d start_tangent,
+      end_tangent;             ///< unit, of the curve itself, in the direction of `points`
+  int stroke = -1;             ///< the stroke that it is a piece of; -1 for a closure of a gap
+  std::array<int, 2> nodes{};  ///< where it begins and ends
 
   bool operator==(const MapEdge&) const = default;
 };
@@ -39,7 +43,8 @@ struct MapEdge {
 enum class CycleKind : std::uint8_t {
   kOuter,   ///< the outer sketch cycle, and the outside of pieces that float outside of everything
   kBorder,  ///< a bounded face that shares an edge with the outside
-  kIsland,  ///< a bounded face of a component that lies inside another face and touches nothing else
+  kIsland,  ///< a bounded face of a component that lies inside another face and touches nothing
+            ///< else
   kOther,   ///< any other bounded face
   kHole,    ///< the outside of a component that lies inside a face: no face of its own
 };
@@ -48,8 +53,9 @@ enum class CycleKind : std::uint8_t {
 struct MapCycle {
   CycleKind kind = CycleKind::kOther;
   std::vector<int> half_edges;
-  double area = 0;         ///< signed shoelace in the sketch frame; positive for bounded faces
-  std::optional<int> inside;  ///< for islands and holes: the bounded cycle that the component lies in
+  double area = 0;  ///< signed shoelace in the sketch frame; positive for bounded faces
+  std::optional<int>
+      inside;  ///< for islands and holes: the bounded cycle that the component lies in
 
   bool operator==(const MapCycle&) const = default;
 };
@@ -68,7 +74,8 @@ struct PlanarMap {
   int Target(int half_edge) const { return Origin(Twin(half_edge)); }
   /// Points along the half-edge, in its direction.
   std::vector<Eigen::Vector2d> Points(int half_edge) const;
-  /// Unit direction in which the half-edge leaves its origin, and in which it arrives at its target.
+  /// Unit direction in which the half-edge leaves its origin, and in which it arrives at its
+  /// target.
   Eigen::Vector2d Departure(int half_edge) const;
   Eigen::Vector2d Arrival(int half_edge) const;
 
@@ -77,10 +84,11 @@ struct PlanarMap {
 
 /// How to join strokes. Lengths are relative to the diagonal D of the drawing's bounds.
 struct BuildPlanarMapOptions {
-  double flatten = 1e-4;   ///< how far the flattened curves may be from the curves
-  double snap = 5e-3;      ///< ends this near to another stroke meet it; one pen width if that is more, up to snap_max
+  double flatten = 1e-4;  ///< how far the flattened curves may be from the curves
+  double snap = 5e-3;  ///< ends this near to another stroke meet it; one pen width if that is more,
+                       ///< up to snap_max
   double snap_max = 1.5e-2;
-  double bridge = 3e-2;    ///< longest gap that is closed, with a warning
+  double bridge = 3e-2;  ///< longest gap that is closed, with a warning
 
   bool operator==(const BuildPlanarMapOptions&) const = default;
 };

@@ -23,9 +23,9 @@ using Color = std::array<double, 3>;
 struct Stroke {
   std::string svg_id;               ///< id of the element it came from, may be empty
   std::vector<CubicBezier> pieces;  ///< in sketch units
-  bool closed = false;              ///< the last piece ends where the first begins, and the file says so
-  bool is_dot = false;              ///< a zero-length stroke with a round cap: a point of diameter `width`
-  double width = 0;                 ///< pen width in sketch units, 0 when only filled
+  bool closed = false;  ///< the last piece ends where the first begins, and the file says so
+  bool is_dot = false;  ///< a zero-length stroke with a round cap: a point of diameter `width`
+  double width = 0;     ///< pen width in sketch units, 0 when only filled
   std::optional<Color> stroke_color, fill_color;
 
   bool operator==(const Stroke&) const = default;

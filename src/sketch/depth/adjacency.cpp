@@ -12,7 +12,8 @@ using Eigen::Vector2d;
 
 std::vector<int> HalfEdgesOf(const Part& part) {
   std::vector<int> all;
-  for (const std::vector<int>& stretch : part.stretches) all.insert(all.end(), stretch.begin(), stretch.end());
+  for (const std::vector<int>& stretch : part.stretches)
+    all.insert(all.end(), stretch.begin(), stretch.end());
   return all;
 }
 
@@ -49,7 +50,8 @@ Adjacency AdjacencyOf(const PlanarMap& map, const Parts& parts) {
   return result;
 }
 
-std::optional<Vector2d> MiddleOfShared(const PlanarMap& map, const Parts& parts, const Adjacency& adjacency,
+std::optional<Vector2d> MiddleOfShared(const PlanarMap& map, const Parts& parts,
+                                       const Adjacency& adjacency,
                                        const std::pair<int, int>& pair) {
   Vector2d sum = Vector2d::Zero();
   double total = 0;
@@ -63,7 +65,8 @@ std::optional<Vector2d> MiddleOfShared(const PlanarMap& map, const Parts& parts,
   return total > 0 ? std::optional<Vector2d>(sum / total) : std::nullopt;
 }
 
-std::vector<int> March(const PlanarMap& map, const Parts& parts, const Adjacency& adjacency, int limb) {
+std::vector<int> March(const PlanarMap& map, const Parts& parts, const Adjacency& adjacency,
+                       int limb) {
   const Part& part = parts.parts[static_cast<std::size_t>(limb)];
   const Part& parent = parts.parts[static_cast<std::size_t>(*part.over)];
   std::vector<int> met;
@@ -71,7 +74,8 @@ std::vector<int> March(const PlanarMap& map, const Parts& parts, const Adjacency
     const int other = adjacency.owner[static_cast<std::size_t>(PlanarMap::Twin(h))];
     if (other >= 0 && std::find(met.begin(), met.end(), other) == met.end()) met.push_back(other);
   };
-  // The parent's walk reaches the limb at closed[0], where a stretch ends, and leaves it at closed[1], where one begins.
+  // The parent's walk reaches the limb at closed[0], where a stretch ends, and leaves it at
+  // closed[1], where one begins.
   const double tolerance = 1e-3 * map.diagonal;
   for (const std::vector<int>& run : parent.stretches) {
     const bool leaves = DistanceTo(map, run.front(), part.root->closed[1]) < tolerance;

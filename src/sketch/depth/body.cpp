@@ -39,24 +39,30 @@ std::optional<int> PartAt(const Parts& parts, const Vector2d& point) {
 
 }  // namespace
 
-Outcome<BodyChoice> FindBody(const Parts& parts, const Adjacency& adjacency, const OrderByDepthOptions& options) {
+Outcome<BodyChoice> FindBody(const Parts& parts, const Adjacency& adjacency,
+                             const OrderByDepthOptions& options) {
   const std::vector<double> scores = Scores(parts, adjacency);
   const auto best = std::max_element(scores.begin(), scores.end());
   if (best == scores.end() || *best <= 0) {
-    return Outcome<BodyChoice>::Failure(Error(FailureKind::kUnderstanding, "no-body",
-                                              "no closed part of the drawing can be a body; draw the torso's outline closed"));
+    return Outcome<BodyChoice>::Failure(
+        Error(FailureKind::kUnderstanding, "no-body",
+              "no closed part of the drawing can be a body; draw the torso's outline closed"));
   }
   BodyChoice choice{static_cast<int>(best - scores.begin()), 1};
   for (std::size_t i = 0; i < scores.size(); ++i) {
-    if (static_cast<int>(i) != choice.part) choice.margin = std::min(choice.margin, 1 - scores[i] / *best);
+    if (static_cast<int>(i) != choice.part)
+      choice.margin = std::min(choice.margin, 1 - scores[i] / *best);
   }
   if (!options.body) return choice;
   const auto chosen = PartAt(parts, *options.body);
   if (!chosen) {
     char text[160];
-    std::snprintf(text, sizeof text, "no part that could be a body holds the point (%.6g, %.6g); give a point inside the torso",
-                  options.body->x(), options.body->y());
-    return Outcome<BodyChoice>::Failure(At(Error(FailureKind::kUnderstanding, "body-not-there", text), *options.body));
+    std::snprintf(
+        text, sizeof text,
+        "no part that could be a body holds the point (%.6g, %.6g); give a point inside the torso",
+        options.body->x(), options.body->y());
+    return Outcome<BodyChoice>::Failure(
+        At(Error(FailureKind::kUnderstanding, "body-not-there", text), *options.body));
   }
   return BodyChoice{*chosen, choice.margin};
 }

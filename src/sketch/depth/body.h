@@ -13,9 +13,10 @@ struct BodyChoice {
   double margin = 0;  ///< 1 - score of the next best over its own
 };
 
-/// The border part with the greatest area times one for itself, one for each limb over it and a half for each part beside it, less the farther
-/// it is from the middle of the drawing. A limb is never the body. With options.body: the part that holds this point.
-/// Errors: "body-not-there".
-Outcome<BodyChoice> FindBody(const Parts& parts, const Adjacency& adjacency, const OrderByDepthOptions& options);
+/// The border part with the greatest area times one for itself, one for each limb over it and a
+/// half for each part beside it, less the farther it is from the middle of the drawing. A limb is
+/// never the body. With options.body: the part that holds this point. Errors: "body-not-there".
+Outcome<BodyChoice> FindBody(const Parts& parts, const Adjacency& adjacency,
+                             const OrderByDepthOptions& options);
 
 }  // namespace lascaux

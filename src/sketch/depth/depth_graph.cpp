@@ -14,7 +14,8 @@ using Eigen::Vector2d;
 using Index = std::size_t;
 
 /// Limbs lie over the part that they were cut from, their far sides under it.
-void PlaceLimbs(const Parts& parts, const std::vector<std::optional<int>>& far_of, DepthGraph& graph) {
+void PlaceLimbs(const Parts& parts, const std::vector<std::optional<int>>& far_of,
+                DepthGraph& graph) {
   for (Index i = 0; i < parts.parts.size(); ++i) {
     DepthNode& node = graph.nodes[i];
     if (parts.parts[i].kind == PartKind::kLimb) {
@@ -38,7 +39,8 @@ void PlaceLimbs(const Parts& parts, const std::vector<std::optional<int>>& far_o
 
 /// True when a cell lies nearer to the limb's root than to its tip.
 bool IsAtRoot(const Part& limb, const Part& cell) {
-  const Vector2d root = 0.5 * (limb.root->closed[0] + limb.root->closed[1]), at = Centroid(cell.outline.points);
+  const Vector2d root = 0.5 * (limb.root->closed[0] + limb.root->closed[1]),
+                 at = Centroid(cell.outline.points);
   double reach = 0;
   Vector2d tip = root;
   for (const Vector2d& p : limb.outline.points) {
@@ -60,7 +62,9 @@ void PlaceAdjacent(const Parts& parts, const Adjacency& adjacency, DepthGraph& g
     Index part = 0;
     int parent = -1;
     for (Index i = 0; i < placed.size(); ++i) {
-      if (placed[i] || parts.parts[i].kind != PartKind::kBorder || graph.nodes[i].relation == Relation::kUnder) continue;
+      if (placed[i] || parts.parts[i].kind != PartKind::kBorder ||
+          graph.nodes[i].relation == Relation::kUnder)
+        continue;
       for (const auto& [other, length] : adjacency.shared[i]) {
         if (!placed[static_cast<Index>(other)] || length <= longest) continue;
         longest = length;
@@ -70,8 +74,10 @@ void PlaceAdjacent(const Parts& parts, const Adjacency& adjacency, DepthGraph& g
     }
     if (parent < 0) break;
     DepthNode& node = graph.nodes[part];
-    // Beside a limb's far end: more of the limb (a hoof). Beside its root: something in the plane that the limb hides.
-    while (parts.parts[static_cast<Index>(parent)].root && IsAtRoot(parts.parts[static_cast<Index>(parent)], parts.parts[part])) {
+    // Beside a limb's far end: more of the limb (a hoof). Beside its root: something in the plane
+    // that the limb hides.
+    while (parts.parts[static_cast<Index>(parent)].root &&
+           IsAtRoot(parts.parts[static_cast<Index>(parent)], parts.parts[part])) {
       parent = *parts.parts[static_cast<Index>(parent)].over;
     }
     const PartRole parent_role = graph.nodes[static_cast<Index>(parent)].role;
@@ -81,12 +87,14 @@ void PlaceAdjacent(const Parts& parts, const Adjacency& adjacency, DepthGraph& g
     placed[part] = true;
   }
   for (Index i = 0; i < placed.size(); ++i) {
-    const bool loose = !placed[i] && parts.parts[i].kind == PartKind::kBorder && graph.nodes[i].relation == Relation::kNone;
+    const bool loose = !placed[i] && parts.parts[i].kind == PartKind::kBorder &&
+                       graph.nodes[i].relation == Relation::kNone;
     if (loose) graph.nodes[i].role = PartRole::kIgnored;
   }
 }
 
-/// Islands lie over and in the innermost part around them (§5.2: a ray cast); limbs are on top of what they cover.
+/// Islands lie over and in the innermost part around them (§5.2: a ray cast); limbs are on top of
+/// what they cover.
 void PlaceIslands(const Parts& parts, DepthGraph& graph) {
   for (Index i = 0; i < parts.parts.size(); ++i) {
     DepthNode& node = graph.nodes[i];
@@ -98,10 +106,12 @@ void PlaceIslands(const Parts& parts, DepthGraph& graph) {
       const Part& other = parts.parts[k];
       const bool solid = other.kind == PartKind::kBorder || other.kind == PartKind::kLimb;
       if (!solid || !Contains(other.outline.points, at)) continue;
-      const bool inner = !around || SignedArea(other.outline.points) < SignedArea(parts.parts[*around].outline.points);
+      const bool inner = !around || SignedArea(other.outline.points) <
+                                        SignedArea(parts.parts[*around].outline.points);
       if (inner) around = k;
     }
-    const bool shows = around && graph.nodes[*around].role != PartRole::kBackground && graph.nodes[*around].role != PartRole::kIgnored;
+    const bool shows = around && graph.nodes[*around].role != PartRole::kBackground &&
+                       graph.nodes[*around].role != PartRole::kIgnored;
     node.role = shows ? PartRole::kIsland : PartRole::kIgnored;
     if (!shows) continue;
     node.parent = static_cast<int>(*around);
@@ -143,7 +153,8 @@ void NameParts(DepthGraph& graph) {
     }
   }
   for (DepthNode& node : graph.nodes) {
-    if (node.role == PartRole::kBackground && !node.piece_of) node.name = graph.nodes[static_cast<Index>(*node.pair)].name + "-far";
+    if (node.role == PartRole::kBackground && !node.piece_of)
+      node.name = graph.nodes[static_cast<Index>(*node.pair)].name + "-far";
   }
 }
 
@@ -153,7 +164,9 @@ void OrderParentsFirst(DepthGraph& graph) {
     again = false;
     for (Index i = 0; i < graph.nodes.size(); ++i) {
       const DepthNode& node = graph.nodes[i];
-      if (done[i] || node.role == PartRole::kIgnored || (node.parent && !done[static_cast<Index>(*node.parent)])) continue;
+      if (done[i] || node.role == PartRole::kIgnored ||
+          (node.parent && !done[static_cast<Index>(*node.parent)]))
+        continue;
       done[i] = again = true;
       graph.order.push_back(static_cast<int>(i));
     }
@@ -162,8 +175,8 @@ void OrderParentsFirst(DepthGraph& graph) {
 
 }  // namespace
 
-Outcome<DepthGraph> OrderByDepth(const PlanarMap& map, const Parts& parts, const OrderByDepthOptions& options,
-                                 const Execution&) {
+Outcome<DepthGraph> OrderByDepth(const PlanarMap& map, const Parts& parts,
+                                 const OrderByDepthOptions& options, const Execution&) {
   const Adjacency adjacency = AdjacencyOf(map, parts);
   Diagnostics log;
   const auto body = FindBody(parts, adjacency, options).MoveInto(log);

@@ -17,7 +17,8 @@ using Eigen::Vector2d;
 constexpr double kMaxSwing = 80 * std::numbers::pi / 180;
 /// ... and all differences together below this (radians; one e-fold of distance counts for two).
 constexpr double kMaxUnlikeness = 2.5;
-/// A further piece of a far side has to be more alike than the far side itself: it is only hidden in between.
+/// A further piece of a far side has to be more alike than the far side itself: it is only hidden
+/// in between.
 constexpr double kMaxPieceUnlikeness = 1.2;
 
 /// Axis of a limb at its root: p0 at its top inside the parent, p1 between the closed ends.
@@ -37,14 +38,17 @@ Axis AxisOf(const Part& limb) {
 }
 
 Vector2d FarthestFrom(const Vector2d& origin, const Outline& outline) {
-  return *std::max_element(outline.points.begin(), outline.points.end(), [&](const Vector2d& a, const Vector2d& b) {
-    return (a - origin).squaredNorm() < (b - origin).squaredNorm();
-  });
+  return *std::max_element(outline.points.begin(), outline.points.end(),
+                           [&](const Vector2d& a, const Vector2d& b) {
+                             return (a - origin).squaredNorm() < (b - origin).squaredNorm();
+                           });
 }
 
-/// How unlike a candidate is to the limb's far side: the angle at the joint (the paper's), the angle between the tips and the logarithm of
-/// their distances' ratio, all seen from the limb's top; none if it is out of the question.
-std::optional<double> Unlikeness(const PlanarMap& map, const Parts& parts, const Adjacency& adjacency, const std::pair<int, int>& pair) {
+/// How unlike a candidate is to the limb's far side: the angle at the joint (the paper's), the
+/// angle between the tips and the logarithm of their distances' ratio, all seen from the limb's
+/// top; none if it is out of the question.
+std::optional<double> Unlikeness(const PlanarMap& map, const Parts& parts,
+                                 const Adjacency& adjacency, const std::pair<int, int>& pair) {
   const auto [limb, candidate] = pair;
   const Part& part = parts.parts[static_cast<std::size_t>(limb)];
   const Part& other = parts.parts[static_cast<std::size_t>(candidate)];
@@ -69,7 +73,8 @@ bool MayBeFarSide(const Parts& parts, int candidate, int body) {
 }
 
 /// Border parts that touch only a limb, its far side, or the outside.
-void AddPieces(const Parts& parts, const Adjacency& adjacency, int body, std::vector<std::optional<int>>& far_of) {
+void AddPieces(const Parts& parts, const Adjacency& adjacency, int body,
+               std::vector<std::optional<int>>& far_of) {
   for (bool again = true; again;) {
     again = false;
     for (int i = 0; i < static_cast<int>(parts.parts.size()); ++i) {
@@ -98,24 +103,29 @@ struct Match {
   int limb = 0, cell = 0;
 };
 
-std::vector<Match> Matches(const PlanarMap& map, const Parts& parts, const Adjacency& adjacency, int body) {
+std::vector<Match> Matches(const PlanarMap& map, const Parts& parts, const Adjacency& adjacency,
+                           int body) {
   std::vector<Match> matches;
   for (int limb = 0; limb < static_cast<int>(parts.parts.size()); ++limb) {
     if (parts.parts[static_cast<std::size_t>(limb)].kind != PartKind::kLimb) continue;
     std::set<int> candidates;
     for (const int met : March(map, parts, adjacency, limb)) candidates.insert(met);
-    for (const auto& [other, length] : adjacency.shared[static_cast<std::size_t>(limb)]) candidates.insert(other);
+    for (const auto& [other, length] : adjacency.shared[static_cast<std::size_t>(limb)])
+      candidates.insert(other);
     for (const int cell : candidates) {
       if (!MayBeFarSide(parts, cell, body)) continue;
-      if (const auto cost = Unlikeness(map, parts, adjacency, {limb, cell})) matches.push_back({*cost, limb, cell});
+      if (const auto cost = Unlikeness(map, parts, adjacency, {limb, cell}))
+        matches.push_back({*cost, limb, cell});
     }
   }
-  std::stable_sort(matches.begin(), matches.end(), [](const Match& a, const Match& b) { return a.cost < b.cost; });
+  std::stable_sort(matches.begin(), matches.end(),
+                   [](const Match& a, const Match& b) { return a.cost < b.cost; });
   return matches;
 }
 
 /// Tries to give `limb` a cell, moving other limbs to other cells if need be (an augmenting path).
-bool Augment(const std::vector<Match>& matches, int limb, std::set<int>& visited, std::map<int, int>& limb_of) {
+bool Augment(const std::vector<Match>& matches, int limb, std::set<int>& visited,
+             std::map<int, int>& limb_of) {
   for (const Match& match : matches) {
     if (match.limb != limb || !visited.insert(match.cell).second) continue;
     const auto taken = limb_of.find(match.cell);
@@ -128,9 +138,11 @@ bool Augment(const std::vector<Match>& matches, int limb, std::set<int>& visited
 
 }  // namespace
 
-std::vector<std::optional<int>> FindFarSides(const PlanarMap& map, const Parts& parts, const Adjacency& adjacency, int body) {
+std::vector<std::optional<int>> FindFarSides(const PlanarMap& map, const Parts& parts,
+                                             const Adjacency& adjacency, int body) {
   const std::vector<Match> matches = Matches(map, parts, adjacency, body);
-  // As many limbs as possible get a far side, the most alike first; then what is left joins as further pieces.
+  // As many limbs as possible get a far side, the most alike first; then what is left joins as
+  // further pieces.
   std::map<int, int> limb_of;
   std::set<int> tried;
   for (const Match& match : matches) {
@@ -142,7 +154,8 @@ std::vector<std::optional<int>> FindFarSides(const PlanarMap& map, const Parts& 
   for (const auto& [cell, limb] : limb_of) far_of[static_cast<std::size_t>(cell)] = limb;
   for (const Match& match : matches) {
     auto& far = far_of[static_cast<std::size_t>(match.cell)];
-    const bool touches = adjacency.shared[static_cast<std::size_t>(match.limb)].contains(match.cell);
+    const bool touches =
+        adjacency.shared[static_cast<std::size_t>(match.limb)].contains(match.cell);
     if (!far && touches && match.cost < kMaxPieceUnlikeness) far = match.limb;
   }
   AddPieces(parts, adjacency, body, far_of);

@@ -12,10 +12,12 @@ namespace lascaux {
 
 /// For every part the limb whose drawn far side (or a piece of it) it is.
 ///
-/// Candidates are border parts that share a line with the limb or are met marching from its root along its parent. The paper takes those within
-/// 45 degrees of the limb's axis at the joint. Thin legs with joints side by side break that rule, so the tips count
-/// as well: direction and distance, seen from the limb's top. As many limbs as possible get a far side
-/// (augmenting paths, most alike first); cells that touch nothing but a limb and its far side go with it.
-std::vector<std::optional<int>> FindFarSides(const PlanarMap& map, const Parts& parts, const Adjacency& adjacency, int body);
+/// Candidates are border parts that share a line with the limb or are met marching from its root
+/// along its parent. The paper takes those within 45 degrees of the limb's axis at the joint. Thin
+/// legs with joints side by side break that rule, so the tips count as well: direction and
+/// distance, seen from the limb's top. As many limbs as possible get a far side (augmenting paths,
+/// most alike first); cells that touch nothing but a limb and its far side go with it.
+std::vector<std::optional<int>> FindFarSides(const PlanarMap& map, const Parts& parts,
+                                             const Adjacency& adjacency, int body);
 
 }  // namespace lascaux

@@ -12,8 +12,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Points nearer to each other than this share of the diagonal are one node: far below what a hand or a file's
-/// third decimal can tell apart, far above rounding.
+/// Points nearer to each other than this share of the diagonal are one node: far below what a hand
+/// or a file's third decimal can tell apart, far above rounding.
 constexpr double kNodeTolerance = 2e-6;
 
 /// A place on a line where it is cut: position = index of the segment + fraction along it.
@@ -34,7 +34,8 @@ class NodeTable {
         const auto found = cells_.find({x, y});
         if (found == cells_.end()) continue;
         for (const int node : found->second) {
-          if ((nodes[static_cast<std::size_t>(node)].position - p).norm() <= tolerance_) return node;
+          if ((nodes[static_cast<std::size_t>(node)].position - p).norm() <= tolerance_)
+            return node;
         }
       }
     }
@@ -44,7 +45,9 @@ class NodeTable {
   }
 
  private:
-  std::int64_t Cell(double x) const { return static_cast<std::int64_t>(std::floor(x / (2 * tolerance_))); }
+  std::int64_t Cell(double x) const {
+    return static_cast<std::int64_t>(std::floor(x / (2 * tolerance_)));
+  }
 
   double tolerance_;
   std::map<std::pair<std::int64_t, std::int64_t>, std::vector<int>> cells_;
@@ -54,7 +57,8 @@ SegmentGrid GridOf(const std::vector<ArrangementLine>& lines) {
   std::vector<SegmentRef> segments;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     for (std::size_t k = 0; k + 1 < lines[i].points.size(); ++k) {
-      segments.push_back({static_cast<int>(i), static_cast<int>(k), lines[i].points[k], lines[i].points[k + 1]});
+      segments.push_back(
+          {static_cast<int>(i), static_cast<int>(k), lines[i].points[k], lines[i].points[k + 1]});
     }
   }
   return SegmentGrid(std::move(segments));
@@ -69,8 +73,10 @@ bool AreNeighbours(const SegmentRef& s, const SegmentRef& t, const ArrangementLi
          std::max(s.index, t.index) == last;
 }
 
-/// Ends that lie on another line, and crossings of all pairs of lines, as cuts; none if there are too many.
-std::optional<std::vector<std::vector<Cut>>> FindCuts(const std::vector<ArrangementLine>& lines, double tolerance) {
+/// Ends that lie on another line, and crossings of all pairs of lines, as cuts; none if there are
+/// too many.
+std::optional<std::vector<std::vector<Cut>>> FindCuts(const std::vector<ArrangementLine>& lines,
+                                                      double tolerance) {
   const SegmentGrid grid = GridOf(lines);
   const auto& segments = grid.segments();
   std::vector<std::vector<Cut>> cuts(lines.size());
@@ -115,7 +121,8 @@ Polyline PointsBetween(const Polyline& line, const Cut& from, const Cut& to, dou
   Polyline points{from.point};
   for (int k = static_cast<int>(std::floor(from.position)) + 1; k < to.position; ++k) {
     const Vector2d& p = line[static_cast<std::size_t>(k)];
-    if ((p - points.back()).norm() > tolerance && (p - to.point).norm() > tolerance) points.push_back(p);
+    if ((p - points.back()).norm() > tolerance && (p - to.point).norm() > tolerance)
+      points.push_back(p);
   }
   points.push_back(to.point);
   return points;
@@ -123,7 +130,8 @@ Polyline PointsBetween(const Polyline& line, const Cut& from, const Cut& to, dou
 
 /// The same edge drawn twice: same nodes, middles at one place.
 bool IsTwin(const MapEdge& a, const MapEdge& b, double tolerance) {
-  const bool same = a.nodes == b.nodes, swapped = a.nodes[0] == b.nodes[1] && a.nodes[1] == b.nodes[0];
+  const bool same = a.nodes == b.nodes,
+             swapped = a.nodes[0] == b.nodes[1] && a.nodes[1] == b.nodes[0];
   if (!same && !swapped) return false;
   const double length_a = Length(a.points), length_b = Length(b.points);
   if (std::abs(length_a - length_b) > tolerance) return false;
@@ -136,19 +144,25 @@ bool IsTwin(const MapEdge& a, const MapEdge& b, double tolerance) {
 }
 
 /// Adds the pieces of one line to the map.
-void AddEdges(PlanarMap& map, NodeTable& table, const ArrangementLine& line, std::vector<Cut> cuts) {
+void AddEdges(PlanarMap& map, NodeTable& table, const ArrangementLine& line,
+              std::vector<Cut> cuts) {
   const double tolerance = kNodeTolerance * map.diagonal;
   const double last = static_cast<double>(line.points.size()) - 1;
   cuts.push_back({0, line.points.front()});
   cuts.push_back({last, line.points.back()});
-  std::stable_sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.position < b.position; });
+  std::stable_sort(cuts.begin(), cuts.end(),
+                   [](const Cut& a, const Cut& b) { return a.position < b.position; });
   int node = table.At(cuts.front().point, map.nodes);
   cuts.front().point = map.nodes[static_cast<std::size_t>(node)].position;
   std::size_t from = 0;
   for (std::size_t k = 1; k < cuts.size(); ++k) {
     const int next = table.At(cuts[k].point, map.nodes);
     cuts[k].point = map.nodes[static_cast<std::size_t>(next)].position;
-    MapEdge edge{PointsBetween(line.points, cuts[from], cuts[k], tolerance), {}, {}, line.stroke, {node, next}};
+    MapEdge edge{PointsBetween(line.points, cuts[from], cuts[k], tolerance),
+                 {},
+                 {},
+                 line.stroke,
+                 {node, next}};
     // Two cuts at one place are one cut, unless the line ran a loop in between.
     if (next == node && (edge.points.size() < 4 || Length(edge.points) < 4 * tolerance)) continue;
     map.edges.push_back(std::move(edge));
@@ -172,7 +186,8 @@ void DropTwins(PlanarMap& map) {
   map.edges = std::move(kept);
 }
 
-/// Removes dangling edges shorter than `shortest[e]`, again and again: behind a spur there may be another.
+/// Removes dangling edges shorter than `shortest[e]`, again and again: behind a spur there may be
+/// another.
 void DropSpurs(PlanarMap& map, const std::vector<ArrangementLine>& lines) {
   std::unordered_map<int, double> shortest;
   for (const ArrangementLine& line : lines) {
@@ -187,8 +202,10 @@ void DropSpurs(PlanarMap& map, const std::vector<ArrangementLine>& lines) {
       ++degree[static_cast<std::size_t>(edge.nodes[1])];
     }
     const auto is_spur = [&](const MapEdge& edge) {
-      const int a = degree[static_cast<std::size_t>(edge.nodes[0])], b = degree[static_cast<std::size_t>(edge.nodes[1])];
-      return std::min(a, b) == 1 && std::max(a, b) > 2 && Length(edge.points) < shortest[edge.stroke];
+      const int a = degree[static_cast<std::size_t>(edge.nodes[0])],
+                b = degree[static_cast<std::size_t>(edge.nodes[1])];
+      return std::min(a, b) == 1 && std::max(a, b) > 2 &&
+             Length(edge.points) < shortest[edge.stroke];
     };
     const auto end = std::remove_if(map.edges.begin(), map.edges.end(), is_spur);
     again = end != map.edges.end();
@@ -203,10 +220,10 @@ Outcome<PlanarMap> Arrange(const std::vector<ArrangementLine>& lines, double dia
   map.diagonal = diagonal;
   auto cuts = FindCuts(lines, kNodeTolerance * diagonal);
   if (!cuts) {
-    return Outcome<PlanarMap>::Failure(Error(
-        FailureKind::kUnderstanding, "too-tangled",
-        "the strokes cross each other more than " + std::to_string(kMaxCrossings) +
-            " times; draw outlines and the lines where limbs merge, without hatching"));
+    return Outcome<PlanarMap>::Failure(
+        Error(FailureKind::kUnderstanding, "too-tangled",
+              "the strokes cross each other more than " + std::to_string(kMaxCrossings) +
+                  " times; draw outlines and the lines where limbs merge, without hatching"));
   }
   NodeTable table(kNodeTolerance * diagonal);
   // Ends first: where nodes compete for a place, an end's own position is the one that was drawn.
@@ -214,10 +231,11 @@ Outcome<PlanarMap> Arrange(const std::vector<ArrangementLine>& lines, double dia
     table.At(line.points.front(), map.nodes);
     table.At(line.points.back(), map.nodes);
   }
-  for (std::size_t i = 0; i < lines.size(); ++i) AddEdges(map, table, lines[i], std::move((*cuts)[i]));
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    AddEdges(map, table, lines[i], std::move((*cuts)[i]));
   DropTwins(map);
   DropSpurs(map, lines);
-  return map;
+  return WithoutEdges(map, std::vector<bool>(map.edges.size(), false));
 }
 
 }  // namespace lascaux

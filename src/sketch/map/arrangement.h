@@ -12,7 +12,8 @@ namespace lascaux {
 
 /// A flattened stroke (or the closure of a gap) to arrange.
 struct ArrangementLine {
-  Polyline points;  ///< at least two, no two in a row equal; a closed line repeats its first point at the end
+  Polyline points;  ///< at least two, no two in a row equal; a closed line repeats its first point
+                    ///< at the end
   int stroke = -1;
   bool closed = false;
   double snap = 0;  ///< how far its ends look for another line, in sketch units
@@ -28,16 +29,17 @@ inline constexpr int kMaxCrossings = 200'000;
 /// An end that already crosses another line within its snap radius stays: its overshoot is a spur.
 std::vector<ArrangementLine> SnapEnds(std::vector<ArrangementLine> lines, double diagonal);
 
-/// Cuts the lines at their ends, touches and crossings, and removes spurs (dangling pieces shorter than their line's snap radius).
+/// Cuts the lines at their ends, touches and crossings, and removes spurs (dangling pieces shorter
+/// than their line's snap radius).
 ///
-/// Nodes and edges only: TraceCycles finds the faces. Errors: "too-tangled".
+/// Errors: "too-tangled".
 Outcome<PlanarMap> Arrange(const std::vector<ArrangementLine>& lines, double diagonal);
 
 /// Sorts the edges around each node and finds `next`, `cycle` and `cycles` with their kinds.
 PlanarMap TraceCycles(PlanarMap map);
 
-/// The map without some of its edges (one flag an edge), its cycles traced anew. Edges keep their order, nodes that no edge
-/// touches are gone.
+/// The map without some of its edges (one flag an edge), its cycles traced anew. Edges keep their
+/// order, nodes that no edge touches are gone.
 PlanarMap WithoutEdges(const PlanarMap& map, const std::vector<bool>& drop);
 
 }  // namespace lascaux

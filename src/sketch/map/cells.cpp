@@ -11,8 +11,8 @@
 namespace lascaux {
 namespace {
 
-/// A border cell below this share of the animal's area is a detail: in real drawings hooves and toes lie below it, the smallest ears,
-/// horns and tails above.
+/// A border cell below this share of the animal's area is a detail: in real drawings hooves and
+/// toes lie below it, the smallest ears, horns and tails above.
 constexpr double kCrumb = 3.5e-3;
 
 double AnimalArea(const PlanarMap& map) {
@@ -31,8 +31,9 @@ std::optional<int> LongestNeighbour(const PlanarMap& map, int cycle) {
     if (other == cycle || map.cycles[static_cast<std::size_t>(other)].area <= 0) continue;
     shared[other] += Length(map.edges[static_cast<std::size_t>(h / 2)].points);
   }
-  const auto longest = std::max_element(shared.begin(), shared.end(),
-                                        [](const auto& a, const auto& b) { return a.second < b.second; });
+  const auto longest =
+      std::max_element(shared.begin(), shared.end(),
+                       [](const auto& a, const auto& b) { return a.second < b.second; });
   return longest == shared.end() ? std::nullopt : std::optional(longest->first);
 }
 
@@ -59,7 +60,8 @@ Outcome<PlanarMap> MergeCells(PlanarMap map) {
     const auto [cell, neighbour] = *merge;
     std::vector<bool> drop(map.edges.size(), false);
     for (const int h : map.cycles[static_cast<std::size_t>(cell)].half_edges) {
-      drop[static_cast<std::size_t>(h / 2)] = map.cycle[static_cast<std::size_t>(PlanarMap::Twin(h))] == neighbour;
+      drop[static_cast<std::size_t>(h / 2)] =
+          map.cycle[static_cast<std::size_t>(PlanarMap::Twin(h))] == neighbour;
     }
     const int first = map.cycles[static_cast<std::size_t>(cell)].half_edges.front();
     log.push_back(At(Note("cell-merged", "a small cell was merged with the part beside it"),

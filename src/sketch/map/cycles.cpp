@@ -14,8 +14,8 @@ using Eigen::Vector2d;
 
 std::size_t Index(int i) { return static_cast<std::size_t>(i); }
 
-/// Sorts the half-edges around each node by angle. Where first segments leave in one direction (a cusp), the next points
-/// along decide, as curvature would.
+/// Sorts the half-edges around each node by angle. Where first segments leave in one direction (a
+/// cusp), the next points along decide, as curvature would.
 void SortAroundNodes(PlanarMap& map) {
   for (MapNode& node : map.nodes) node.outgoing.clear();
   for (int h = 0; h < static_cast<int>(2 * map.edges.size()); ++h) {
@@ -48,7 +48,8 @@ void LinkNext(PlanarMap& map) {
   for (const MapNode& node : map.nodes) {
     const std::size_t n = node.outgoing.size();
     for (std::size_t k = 0; k < n; ++k) {
-      // Arriving against outgoing[k], leave by the one before it: the smallest turn that keeps the face on its side.
+      // Arriving against outgoing[k], leave by the one before it: the smallest turn that keeps the
+      // face on its side.
       map.next[Index(PlanarMap::Twin(node.outgoing[k]))] = node.outgoing[(k + n - 1) % n];
     }
   }
@@ -98,13 +99,15 @@ std::vector<int> Components(const PlanarMap& map) {
 
 /// The smallest bounded cycle of another component around `point`.
 std::optional<int> EnclosingCycle(const PlanarMap& map, const std::vector<int>& component, int self,
-                                  const std::vector<Polyline>& rings, const std::vector<Eigen::AlignedBox2d>& boxes,
+                                  const std::vector<Polyline>& rings,
+                                  const std::vector<Eigen::AlignedBox2d>& boxes,
                                   const Vector2d& point) {
   std::optional<int> best;
   for (int c = 0; c < static_cast<int>(map.cycles.size()); ++c) {
     const MapCycle& cycle = map.cycles[Index(c)];
     if (cycle.area <= 0 || component[Index(map.Origin(cycle.half_edges.front()))] == self) continue;
-    if (!boxes[Index(c)].contains(point) || (best && cycle.area >= map.cycles[Index(*best)].area)) continue;
+    if (!boxes[Index(c)].contains(point) || (best && cycle.area >= map.cycles[Index(*best)].area))
+      continue;
     if (Contains(rings[Index(c)], point)) best = c;
   }
   return best;
@@ -125,7 +128,8 @@ void Classify(PlanarMap& map) {
     if (cycle.area > 0) continue;
     const int node = map.Origin(cycle.half_edges.front());
     const int self = component[Index(node)];
-    cycle.inside = EnclosingCycle(map, component, self, rings, boxes, map.nodes[Index(node)].position);
+    cycle.inside =
+        EnclosingCycle(map, component, self, rings, boxes, map.nodes[Index(node)].position);
     cycle.kind = cycle.inside ? CycleKind::kHole : CycleKind::kOuter;
     is_inside[Index(self)] = cycle.inside.has_value();
     enclosing[Index(self)] = cycle.inside;
@@ -136,7 +140,9 @@ void Classify(PlanarMap& map) {
       return map.cycles[Index(map.cycle[Index(PlanarMap::Twin(h))])].area <= 0;
     });
     const int self = component[Index(map.Origin(cycle.half_edges.front()))];
-    cycle.kind = !outside ? CycleKind::kOther : is_inside[Index(self)] ? CycleKind::kIsland : CycleKind::kBorder;
+    cycle.kind = !outside                 ? CycleKind::kOther
+                 : is_inside[Index(self)] ? CycleKind::kIsland
+                                          : CycleKind::kBorder;
     if (cycle.kind == CycleKind::kIsland) cycle.inside = enclosing[Index(self)];
   }
 }

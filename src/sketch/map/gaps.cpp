@@ -16,9 +16,11 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// A face worth closing has at least so many times the area of the gap's own square: whiskers and curls have not.
+/// A face worth closing has at least so many times the area of the gap's own square: whiskers and
+/// curls have not.
 constexpr double kFaceOverGap = 12;
-/// A gap below this share of the diagonal is a slip of the pen; a wider one has to look like one line with a piece missing.
+/// A gap below this share of the diagonal is a slip of the pen; a wider one has to look like one
+/// line with a piece missing.
 constexpr double kSlip = 0.01;
 /// Largest turn between a wider gap and the lines that it joins.
 constexpr double kMaxTurn = std::numbers::pi / 3;
@@ -52,10 +54,13 @@ double LargestFace(const PlanarMap& map) {
 }
 
 /// Direction in which the line runs out at a tip.
-Vector2d Outward(const PlanarMap& map, const WalkPoint& tip) { return -map.Departure(tip.half_edge); }
+Vector2d Outward(const PlanarMap& map, const WalkPoint& tip) {
+  return -map.Departure(tip.half_edge);
+}
 
 /// Cost of joining a tip to a point: its distance, more for a turn; none if it would turn too far.
-std::optional<double> Score(const PlanarMap& map, const WalkPoint& tip, const WalkPoint& other, double bridge) {
+std::optional<double> Score(const PlanarMap& map, const WalkPoint& tip, const WalkPoint& other,
+                            double bridge) {
   const Vector2d way = other.position - tip.position;
   const double distance = way.norm(), slip = kSlip * map.diagonal;
   if (distance > bridge) return std::nullopt;
@@ -66,7 +71,8 @@ std::optional<double> Score(const PlanarMap& map, const WalkPoint& tip, const Wa
 }
 
 /// The best closure for one tip of a walk.
-std::optional<Closure> BestClosure(const PlanarMap& map, const OuterWalk& walk, std::size_t tip, double bridge) {
+std::optional<Closure> BestClosure(const PlanarMap& map, const OuterWalk& walk, std::size_t tip,
+                                   double bridge) {
   std::optional<Closure> best;
   for (std::size_t j = 0; j < walk.points.size(); ++j) {
     const double distance = (walk.points[j].position - walk.points[tip].position).norm();
@@ -82,7 +88,8 @@ std::optional<Closure> BestClosure(const PlanarMap& map, const OuterWalk& walk, 
 }
 
 /// Closures that join tips of two walks: pieces of one line that was drawn in several.
-std::vector<Closure> Joints(const PlanarMap& map, const std::vector<OuterWalk>& walks, double bridge) {
+std::vector<Closure> Joints(const PlanarMap& map, const std::vector<OuterWalk>& walks,
+                            double bridge) {
   std::vector<std::pair<const WalkPoint*, std::size_t>> tips;
   for (std::size_t w = 0; w < walks.size(); ++w) {
     for (const WalkPoint& p : walks[w].points) {
@@ -101,7 +108,8 @@ std::vector<Closure> Joints(const PlanarMap& map, const std::vector<OuterWalk>& 
   return joints;
 }
 
-/// The best slit: two places near each other and far along the walk, that close a face of the animal's size.
+/// The best slit: two places near each other and far along the walk, that close a face of the
+/// animal's size.
 std::optional<Closure> BestSlit(const PlanarMap& map, const OuterWalk& walk, double least_area) {
   const double reach = kSlit * map.diagonal;
   std::vector<std::size_t> by_x(walk.points.size());
@@ -135,7 +143,8 @@ std::vector<Closure> FindClosures(const PlanarMap& map, double bridge) {
       if (const auto closure = BestClosure(map, walk, i, bridge)) found.push_back(*closure);
     }
   }
-  std::stable_sort(found.begin(), found.end(), [](const Closure& a, const Closure& b) { return a.score < b.score; });
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Closure& a, const Closure& b) { return a.score < b.score; });
   std::vector<Closure> chosen;
   std::set<std::array<double, 2>> used;
   for (const Closure& c : found) {
@@ -151,7 +160,8 @@ std::vector<Closure> FindClosures(const PlanarMap& map, double bridge) {
 std::vector<Closure> FindSlits(const PlanarMap& map) {
   std::vector<Closure> slits;
   for (const OuterWalk& walk : OuterWalks(map, 0.25 * kSlit * map.diagonal)) {
-    if (const auto slit = BestSlit(map, walk, kLeastBodyShare * BoxArea(map))) slits.push_back(*slit);
+    if (const auto slit = BestSlit(map, walk, kLeastBodyShare * BoxArea(map)))
+      slits.push_back(*slit);
   }
   return slits;
 }
@@ -159,18 +169,16 @@ std::vector<Closure> FindSlits(const PlanarMap& map) {
 Diagnostic Describe(const Closure& closure, const char* code, const char* what, double diagonal) {
   const double percent = 100 * (closure.to - closure.from).norm() / diagonal;
   char text[160];
-  std::snprintf(text, sizeof text, "%s of %.2g %% of the drawing's size at (%.5g, %.5g)", what, percent,
-                closure.from.x(), closure.from.y());
+  std::snprintf(text, sizeof text, "%s of %.2g %% of the drawing's size at (%.5g, %.5g)", what,
+                percent, closure.from.x(), closure.from.y());
   return At(Warning(code, text), closure.from);
 }
 
 /// One round: the map with the closures drawn in.
-Outcome<PlanarMap> Redraw(std::vector<ArrangementLine>& lines, const std::vector<Closure>& closures, double diagonal) {
+Outcome<PlanarMap> Redraw(std::vector<ArrangementLine>& lines, const std::vector<Closure>& closures,
+                          double diagonal) {
   for (const Closure& c : closures) lines.push_back({{c.from, c.to}, -1, false, 0});
-  Diagnostics log;
-  auto map = Arrange(lines, diagonal).MoveInto(log);
-  if (!map) return Outcome<PlanarMap>::Failure(std::move(log));
-  return TraceCycles(std::move(*map));
+  return Arrange(lines, diagonal);
 }
 
 /// Where the outline is open: the narrowest closure that would enclose an animal, however wide.
@@ -192,7 +200,8 @@ Diagnostic OpenOutline(const PlanarMap& map) {
   }
   char text[200];
   std::snprintf(text, sizeof text,
-                "the outline is open between (%.5g, %.5g) and (%.5g, %.5g), %.2g %% of the drawing's size apart; join the ends",
+                "the outline is open between (%.5g, %.5g) and (%.5g, %.5g), %.2g %% of the "
+                "drawing's size apart; join the ends",
                 best->from.x(), best->from.y(), best->to.x(), best->to.y(),
                 100 * (best->to - best->from).norm() / map.diagonal);
   return At(Error(FailureKind::kUnderstanding, "outline-open", text), best->from);
@@ -200,7 +209,8 @@ Diagnostic OpenOutline(const PlanarMap& map) {
 
 }  // namespace
 
-Outcome<PlanarMap> CloseGaps(PlanarMap map, std::vector<ArrangementLine> lines, const BuildPlanarMapOptions& options) {
+Outcome<PlanarMap> CloseGaps(PlanarMap map, std::vector<ArrangementLine> lines,
+                             const BuildPlanarMapOptions& options) {
   Diagnostics log;
   const double least = kLeastBodyShare * BoxArea(map);
   for (int round = 0; round < kMaxRounds; ++round) {
@@ -209,8 +219,9 @@ Outcome<PlanarMap> CloseGaps(PlanarMap map, std::vector<ArrangementLine> lines, 
     if (!gaps && LargestFace(map) < least) closures = FindSlits(map);
     if (closures.empty()) break;
     for (const Closure& c : closures) {
-      log.push_back(gaps ? Describe(c, "gap-closed", "closed a gap", map.diagonal)
-                         : Describe(c, "slit-closed", "closed a slit between two lines", map.diagonal));
+      log.push_back(
+          gaps ? Describe(c, "gap-closed", "closed a gap", map.diagonal)
+               : Describe(c, "slit-closed", "closed a slit between two lines", map.diagonal));
     }
     auto redrawn = Redraw(lines, closures, map.diagonal).MoveInto(log);
     if (!redrawn) return Outcome<PlanarMap>::Failure(std::move(log));

@@ -29,9 +29,11 @@ std::vector<OuterWalk> OuterWalks(const PlanarMap& map, double spacing) {
     OuterWalk walk;
     for (const int h : cycle.half_edges) {
       const std::vector<Vector2d> line = map.Points(h);
-      const bool begins_at_tip = map.nodes[static_cast<std::size_t>(map.Origin(h))].outgoing.size() == 1;
+      const bool begins_at_tip =
+          map.nodes[static_cast<std::size_t>(map.Origin(h))].outgoing.size() == 1;
       for (std::size_t k = 0; k + 1 < line.size(); ++k) {
-        const int pieces = std::max(1, static_cast<int>(std::ceil((line[k + 1] - line[k]).norm() / spacing)));
+        const int pieces =
+            std::max(1, static_cast<int>(std::ceil((line[k + 1] - line[k]).norm() / spacing)));
         for (int i = 0; i < pieces; ++i) {
           const Vector2d p = line[k] + (static_cast<double>(i) / pieces) * (line[k + 1] - line[k]);
           walk.points.push_back({p, h, begins_at_tip && k == 0 && i == 0, 0, 0});

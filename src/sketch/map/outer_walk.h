@@ -6,7 +6,8 @@
 #include "lascaux/sketch/planar_map.h"
 
 /// @file
-/// The walk around the outside of the drawing, on which gaps are two places that are near in the plane and far along.
+/// The walk around the outside of the drawing, on which gaps are two places that are near in the
+/// plane and far along.
 
 namespace lascaux {
 
@@ -25,7 +26,8 @@ struct OuterWalk {
   double length = 0;
   double double_area = 0;
 
-  /// Area of the larger face that a bridge between points i and j would close; negative when it closes none.
+  /// Area of the larger face that a bridge between points i and j would close; negative when it
+  /// closes none.
   double FaceArea(std::size_t i, std::size_t j) const;
   /// Distance along the walk, the shorter way.
   double Along(std::size_t i, std::size_t j) const;

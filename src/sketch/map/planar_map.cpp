@@ -33,7 +33,8 @@ Polyline Circle(const Vector2d& center, double radius) {
   return points;
 }
 
-std::vector<ArrangementLine> LinesOf(const Sketch& sketch, double diagonal, const BuildPlanarMapOptions& options) {
+std::vector<ArrangementLine> LinesOf(const Sketch& sketch, double diagonal,
+                                     const BuildPlanarMapOptions& options) {
   std::vector<ArrangementLine> lines;
   for (std::size_t i = 0; i < sketch.strokes.size(); ++i) {
     const Stroke& stroke = sketch.strokes[i];
@@ -52,7 +53,8 @@ std::vector<ArrangementLine> LinesOf(const Sketch& sketch, double diagonal, cons
 }  // namespace
 
 int PlanarMap::Origin(int half_edge) const {
-  return edges[static_cast<std::size_t>(half_edge / 2)].nodes[static_cast<std::size_t>(half_edge % 2)];
+  return edges[static_cast<std::size_t>(half_edge / 2)]
+      .nodes[static_cast<std::size_t>(half_edge % 2)];
 }
 
 std::vector<Vector2d> PlanarMap::Points(int half_edge) const {
@@ -68,18 +70,20 @@ Vector2d PlanarMap::Departure(int half_edge) const {
 
 Vector2d PlanarMap::Arrival(int half_edge) const { return -Departure(Twin(half_edge)); }
 
-Outcome<PlanarMap> BuildPlanarMap(const Sketch& sketch, const BuildPlanarMapOptions& options, const Execution&) {
+Outcome<PlanarMap> BuildPlanarMap(const Sketch& sketch, const BuildPlanarMapOptions& options,
+                                  const Execution&) {
   const double diagonal = sketch.strokes.empty() ? 0 : Bounds(sketch).diagonal().norm();
   const std::vector<ArrangementLine> drawn = LinesOf(sketch, diagonal, options);
   if (drawn.empty() || !(diagonal > 0)) {
-    return Outcome<PlanarMap>::Failure(Error(FailureKind::kInput, "no-strokes",
-                                             "the drawing has no line that encloses anything; draw the animal's outline"));
+    return Outcome<PlanarMap>::Failure(
+        Error(FailureKind::kInput, "no-strokes",
+              "the drawing has no line that encloses anything; draw the animal's outline"));
   }
   std::vector<ArrangementLine> lines = SnapEnds(drawn, diagonal);
   Diagnostics log;
   auto arranged = Arrange(lines, diagonal).MoveInto(log);
   if (!arranged) return Outcome<PlanarMap>::Failure(std::move(log));
-  auto closed = CloseGaps(TraceCycles(std::move(*arranged)), std::move(lines), options).MoveInto(log);
+  auto closed = CloseGaps(std::move(*arranged), std::move(lines), options).MoveInto(log);
   if (!closed) return Outcome<PlanarMap>::Failure(std::move(log));
   auto merged = MergeCells(std::move(*closed)).MoveInto(log);
   if (!merged) return Outcome<PlanarMap>::Failure(std::move(log));

@@ -16,7 +16,8 @@ double Length(const Polyline& line) {
 Vector2d PointAtLength(const Polyline& line, double s) {
   for (std::size_t i = 1; i < line.size(); ++i) {
     const double step = (line[i] - line[i - 1]).norm();
-    if (s <= step && step > 0) return line[i - 1] + std::max(0.0, s / step) * (line[i] - line[i - 1]);
+    if (s <= step && step > 0)
+      return line[i - 1] + std::max(0.0, s / step) * (line[i] - line[i - 1]);
     s -= step;
   }
   return line.back();

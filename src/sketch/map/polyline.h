@@ -18,8 +18,8 @@ double Length(const Polyline& line);
 /// The point at arc length `s` from the beginning, clamped to the ends; `line` is not empty.
 Eigen::Vector2d PointAtLength(const Polyline& line, double s);
 
-/// Unit direction of the chord from the beginning to the point at arc length `reach`: a tangent that does not
-/// hang on the first tiny segment. Zero for a polyline without length.
+/// Unit direction of the chord from the beginning to the point at arc length `reach`: a tangent
+/// that does not hang on the first tiny segment. Zero for a polyline without length.
 Eigen::Vector2d DepartureDirection(const Polyline& line, double reach);
 
 /// Unit direction in which the polyline arrives at its end, by the last `reach` of it.
@@ -44,10 +44,14 @@ double AngleBetween(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
 double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
 
 /// Nearest point of a segment as its parameter, 0 to 1.
-double NearestParameter(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& p);
+double NearestParameter(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
+                        const Eigen::Vector2d& p);
 
-/// Parameters (on a-b, on c-d) at which two segments cross or touch, both 0 to 1; none for parallel ones.
-std::optional<std::pair<double, double>> Intersection(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
-                                                      const Eigen::Vector2d& c, const Eigen::Vector2d& d);
+/// Parameters (on a-b, on c-d) at which two segments cross or touch, both 0 to 1; none for parallel
+/// ones.
+std::optional<std::pair<double, double>> Intersection(const Eigen::Vector2d& a,
+                                                      const Eigen::Vector2d& b,
+                                                      const Eigen::Vector2d& c,
+                                                      const Eigen::Vector2d& d);
 
 }  // namespace lascaux

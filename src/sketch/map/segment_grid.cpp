@@ -20,7 +20,8 @@ SegmentGrid::SegmentGrid(std::vector<SegmentRef> segments) : segments_(std::move
     length += (s.b - s.a).norm();
   }
   const double side = bounds_.sizes().maxCoeff();
-  cell_ = std::max({length / static_cast<double>(segments_.size()), side / kMaxCellsPerSide, 1e-300});
+  cell_ =
+      std::max({length / static_cast<double>(segments_.size()), side / kMaxCellsPerSide, 1e-300});
   size_ = CellOf(bounds_.max()) + Eigen::Vector2i::Ones();
 
   const auto for_cells = [&](const SegmentRef& s, auto&& visit) {

@@ -40,7 +40,8 @@ Eigen::AlignedBox2d BoxAround(const Vector2d& p, double radius) {
   return {Vector2d(p - r), Vector2d(p + r)};
 }
 
-/// Index of the first point beyond arc length `reach` from the end; the segments before it are the end's own neighbourhood.
+/// Index of the first point beyond arc length `reach` from the end; the segments before it are the
+/// end's own neighbourhood.
 int ReachFromEnd(const Polyline& points, const LineEnd& end, double reach) {
   const int n = static_cast<int>(points.size());
   double s = 0;
@@ -57,14 +58,17 @@ bool IsNearOwnEnd(const SegmentRef& segment, const LineEnd& end, int reach) {
   return end.at_back ? segment.index + 1 > reach : segment.index < reach;
 }
 
-/// True when the last `radius` of the line before its end crosses another line: the rest is an overshoot.
-bool Overshoots(const Polyline& points, const LineEnd& end, double radius, const SegmentGrid& grid) {
+/// True when the last `radius` of the line before its end crosses another line: the rest is an
+/// overshoot.
+bool Overshoots(const Polyline& points, const LineEnd& end, double radius,
+                const SegmentGrid& grid) {
   const int reach = ReachFromEnd(points, end, radius), own = ReachFromEnd(points, end, 3 * radius);
   const int n = static_cast<int>(points.size());
   const int from = end.at_back ? reach : 0, to = end.at_back ? n - 1 : reach;
   bool crosses = false;
   for (int i = from; i < to && !crosses; ++i) {
-    const Vector2d &a = points[static_cast<std::size_t>(i)], &b = points[static_cast<std::size_t>(i + 1)];
+    const Vector2d &a = points[static_cast<std::size_t>(i)],
+                   &b = points[static_cast<std::size_t>(i + 1)];
     Eigen::AlignedBox2d box(a);
     box.extend(b);
     grid.ForEachIn(box, [&](int s) {
@@ -101,7 +105,8 @@ std::optional<SnapTarget> NearestEnd(const std::vector<LineEnd>& ends, int self,
   for (int i = 0; i < static_cast<int>(ends.size()); ++i) {
     if (i == self) continue;
     const double distance =
-        (ends[static_cast<std::size_t>(i)].position - ends[static_cast<std::size_t>(self)].position).norm();
+        (ends[static_cast<std::size_t>(i)].position - ends[static_cast<std::size_t>(self)].position)
+            .norm();
     if (distance <= radius && (!best || distance < best->distance)) {
       best = {i, ends[static_cast<std::size_t>(i)].position, distance};
     }
@@ -111,7 +116,8 @@ std::optional<SnapTarget> NearestEnd(const std::vector<LineEnd>& ends, int self,
 
 int Root(std::vector<int>& parent, int i) {
   while (parent[static_cast<std::size_t>(i)] != i) {
-    i = parent[static_cast<std::size_t>(i)] = parent[static_cast<std::size_t>(parent[static_cast<std::size_t>(i)])];
+    i = parent[static_cast<std::size_t>(i)] =
+        parent[static_cast<std::size_t>(parent[static_cast<std::size_t>(i)])];
   }
   return i;
 }
@@ -136,7 +142,8 @@ std::vector<ArrangementLine> SnapEnds(std::vector<ArrangementLine> lines, double
   std::vector<SegmentRef> segments;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     for (std::size_t k = 0; k + 1 < lines[i].points.size(); ++k) {
-      segments.push_back({static_cast<int>(i), static_cast<int>(k), lines[i].points[k], lines[i].points[k + 1]});
+      segments.push_back(
+          {static_cast<int>(i), static_cast<int>(k), lines[i].points[k], lines[i].points[k + 1]});
     }
   }
   const SegmentGrid grid(std::move(segments));
@@ -148,16 +155,19 @@ std::vector<ArrangementLine> SnapEnds(std::vector<ArrangementLine> lines, double
   for (std::size_t e = 0; e < ends.size(); ++e) {
     const ArrangementLine& line = lines[static_cast<std::size_t>(ends[e].line)];
     const double own_length = Length(line.points);
-    // An end that meets an end is a corner, whatever else is near; ties of one line with itself need a real loop.
+    // An end that meets an end is a corner, whatever else is near; ties of one line with itself
+    // need a real loop.
     if (auto end = NearestEnd(ends, static_cast<int>(e), line.snap)) {
       const bool loop = ends[static_cast<std::size_t>(*end->end)].line == ends[e].line;
       if (!loop || own_length > 6 * line.snap) {
-        cluster[static_cast<std::size_t>(Root(cluster, static_cast<int>(e)))] = Root(cluster, *end->end);
+        cluster[static_cast<std::size_t>(Root(cluster, static_cast<int>(e)))] =
+            Root(cluster, *end->end);
         continue;
       }
     }
     if (Overshoots(line.points, ends[e], line.snap, grid)) continue;
-    if (const auto target = NearestLine(line.points, ends[e], line.snap, grid)) onto[e] = target->point;
+    if (const auto target = NearestLine(line.points, ends[e], line.snap, grid))
+      onto[e] = target->point;
   }
   // A cluster of ends meets at the first of them that has a line to lie on, else at the first.
   std::vector<std::optional<Vector2d>> meeting(ends.size());

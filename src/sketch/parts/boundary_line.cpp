@@ -2,12 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
 
 namespace lascaux {
 
 using Eigen::Vector2d;
 
 namespace {
+
+constexpr double kTangentReach = 0.012;
+/// A path nearer to the boundary than this share of the diagonal runs along it: strokes drawn twice
+/// differ by about a pen's width.
+constexpr double kAlongside = 7e-3;
+/// Turns that tell a path along the boundary: back over it on one side, no limb's edge running on
+/// into it on the other.
+constexpr double kBack = 150 * std::numbers::pi / 180, kRunsOn = std::numbers::pi / 4;
 
 /// Index of the piece that holds a place in [0, length).
 std::size_t PieceAt(const BoundaryLine& line, double arc) {
@@ -16,6 +27,79 @@ std::size_t PieceAt(const BoundaryLine& line, double arc) {
 }
 
 }  // namespace
+
+namespace {
+
+/// The place on the line that is nearest to a point, and how near.
+std::pair<double, double> NearestPlace(const BoundaryLine& line, const Vector2d& point) {
+  std::pair<double, double> best{0, std::numeric_limits<double>::infinity()};
+  for (std::size_t i = 0; i < line.points.size(); ++i) {
+    const std::size_t next = (i + 1) % line.points.size();
+    const double t = NearestParameter(line.points[i], line.points[next], point);
+    const Vector2d step = line.points[next] - line.points[i];
+    const double distance = (line.points[i] + t * step - point).norm();
+    if (distance < best.second) best = {line.arcs[i] + t * step.norm(), distance};
+  }
+  return best;
+}
+
+/// True when a curve begins along the boundary, and not because a limb's edge runs on into it at a
+/// flat angle.
+bool BeginsAlongside(const SuggestiveCurve& curve) {
+  return std::max(curve.turn_before, curve.turn_after) > kBack &&
+         std::min(curve.turn_before, curve.turn_after) > kRunsOn;
+}
+
+/// Cuts off the beginning of a path that runs along the boundary.
+void Reroot(const BoundaryLine& line, double alongside, SuggestiveCurve& curve) {
+  const double length = Length(curve.points), step = 0.5 * alongside;
+  double along = 0;
+  for (double s = step;
+       s < length && NearestPlace(line, PointAtLength(curve.points, s)).second < alongside;
+       s += step)
+    along = s;
+  // Every path is near the boundary at first, longer so the flatter it leaves.
+  if (along < 4 * alongside || along > length - 4 * alongside) return;
+  curve.arc = line.Wrap(NearestPlace(line, PointAtLength(curve.points, along)).first);
+  curve.points = Section(curve.points, along, length);
+  curve.points.front() = line.At(curve.arc);
+}
+
+void Measure(const BoundaryLine& line, double reach, SuggestiveCurve& curve) {
+  curve.length = Length(curve.points);
+  curve.departure = DepartureDirection(curve.points, reach);
+  curve.tip = ArrivalDirection(curve.points, reach);
+  const Vector2d before = line.DirectionBefore(curve.arc, reach),
+                 after = line.DirectionAfter(curve.arc, reach);
+  curve.turn_before = AngleBetween(before, curve.departure);
+  curve.turn_after = AngleBetween(-after, curve.departure);
+  curve.turn_through = AngleBetween(before, after);
+}
+
+}  // namespace
+
+double TangentReach(const PlanarMap& map) { return kTangentReach * map.diagonal; }
+
+std::vector<SuggestiveCurve> SuggestiveCurvesOf(const PlanarMap& map, const Boundary& boundary,
+                                                const BoundaryLine& line) {
+  std::vector<SuggestiveCurve> curves;
+  for (const DanglingPath& path : boundary.paths) {
+    SuggestiveCurve curve;
+    curve.points = path.points;
+    curve.edges = path.edges;
+    curve.arc = line.node_arcs[static_cast<std::size_t>(path.position)];
+    Measure(line, TangentReach(map), curve);
+    if (BeginsAlongside(curve)) {
+      Reroot(line, kAlongside * map.diagonal, curve);
+      Measure(line, TangentReach(map), curve);
+    }
+    curves.push_back(std::move(curve));
+  }
+  std::stable_sort(
+      curves.begin(), curves.end(),
+      [](const SuggestiveCurve& a, const SuggestiveCurve& b) { return a.arc < b.arc; });
+  return curves;
+}
 
 double BoundaryLine::Wrap(double arc) const {
   arc = std::fmod(arc, length);

@@ -23,7 +23,8 @@ CubicBezier Curve(const CompletionEnd& from, const CompletionEnd& to, double a, 
 
 Polyline Sampled(const CubicBezier& curve) {
   Polyline line;
-  for (int i = 0; i <= kPolylineSamples; ++i) Append(line, {curve.At(static_cast<double>(i) / kPolylineSamples)});
+  for (int i = 0; i <= kPolylineSamples; ++i)
+    Append(line, {curve.At(static_cast<double>(i) / kPolylineSamples)});
   return line;
 }
 

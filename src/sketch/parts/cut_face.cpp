@@ -35,17 +35,21 @@ class RingBuilder {
   Part Finish() {
     Part part;
     part.outline = std::move(outline_);
-    if (part.outline.points.size() > 1 && part.outline.points.front() == part.outline.points.back()) {
+    if (part.outline.points.size() > 1 &&
+        part.outline.points.front() == part.outline.points.back()) {
       part.outline.points.pop_back();
       part.outline.kinds.front() = part.outline.kinds.back();
       part.outline.kinds.pop_back();
     }
-    // Kinds were noted with the point that a piece ends at; they belong to the one that it begins at.
+    // Kinds were noted with the point that a piece ends at; they belong to the one that it begins
+    // at.
     if (!part.outline.kinds.empty()) {
-      std::rotate(part.outline.kinds.begin(), part.outline.kinds.begin() + 1, part.outline.kinds.end());
+      std::rotate(part.outline.kinds.begin(), part.outline.kinds.begin() + 1,
+                  part.outline.kinds.end());
     }
     for (const std::vector<int>& stretch : stretches_) {
-      for (const int h : stretch) strokes_.insert(map_.edges[static_cast<std::size_t>(h / 2)].stroke);
+      for (const int h : stretch)
+        strokes_.insert(map_.edges[static_cast<std::size_t>(h / 2)].stroke);
     }
     strokes_.erase(-1);
     part.stretches = std::move(stretches_);
@@ -63,7 +67,8 @@ class RingBuilder {
   /// A line with another bounded face behind it is shared.
   OutlineKind KindOf(int h) const {
     const int behind = map_.cycle[static_cast<std::size_t>(PlanarMap::Twin(h))];
-    return map_.cycles[static_cast<std::size_t>(behind)].area > 0 ? OutlineKind::kShared : OutlineKind::kDrawn;
+    return map_.cycles[static_cast<std::size_t>(behind)].area > 0 ? OutlineKind::kShared
+                                                                  : OutlineKind::kDrawn;
   }
 
   const PlanarMap& map_;
@@ -85,7 +90,8 @@ std::vector<int> Owners(const BoundaryLine& line, const std::vector<LimbCut>& li
     for (std::size_t k = 0; k < limbs.size(); ++k) {
       if (k == i || !Owns(line, limbs[k], limbs[i])) continue;
       const int best = owners[i];
-      if (best < 0 || Owns(line, limbs[static_cast<std::size_t>(best)], limbs[k])) owners[i] = static_cast<int>(k);
+      if (best < 0 || Owns(line, limbs[static_cast<std::size_t>(best)], limbs[k]))
+        owners[i] = static_cast<int>(k);
     }
   }
   return owners;
@@ -94,17 +100,21 @@ std::vector<int> Owners(const BoundaryLine& line, const std::vector<LimbCut>& li
 Polyline ClosedCompletion(const FaceView& face, const LimbCut& limb) {
   const double reach = TangentReach(face.map);
   return CompleteInside({face.line.At(limb.from), face.line.DirectionBefore(limb.from, reach)},
-                        {face.line.At(limb.to), -face.line.DirectionAfter(limb.to, reach)}, face.line.points);
+                        {face.line.At(limb.to), -face.line.DirectionAfter(limb.to, reach)},
+                        face.line.points);
 }
 
 Polyline OpenCompletion(const FaceView& face, const LimbCut& limb) {
   const double reach = TangentReach(face.map);
   return CompleteInside({limb.to_curve.back(), ArrivalDirection(limb.to_curve, reach)},
-                        {limb.from_curve.back(), ArrivalDirection(limb.from_curve, reach)}, face.line.points);
+                        {limb.from_curve.back(), ArrivalDirection(limb.from_curve, reach)},
+                        face.line.points);
 }
 
-/// The walk from one place to another, each child limb on it replaced by the completion of its closed ends.
-void AddWalk(const FaceView& face, RingBuilder& ring, double from, double to, std::vector<const LimbCut*> children) {
+/// The walk from one place to another, each child limb on it replaced by the completion of its
+/// closed ends.
+void AddWalk(const FaceView& face, RingBuilder& ring, double from, double to,
+             std::vector<const LimbCut*> children) {
   std::sort(children.begin(), children.end(), [&](const LimbCut* a, const LimbCut* b) {
     return face.line.Ahead(from, a->from) < face.line.Ahead(from, b->from);
   });
@@ -117,7 +127,8 @@ void AddWalk(const FaceView& face, RingBuilder& ring, double from, double to, st
   if (face.line.Ahead(at, to) > 0) ring.Add(Stretch(face.line, at, to));
 }
 
-std::vector<const LimbCut*> ChildrenOf(const std::vector<LimbCut>& limbs, const std::vector<int>& owners, int owner) {
+std::vector<const LimbCut*> ChildrenOf(const std::vector<LimbCut>& limbs,
+                                       const std::vector<int>& owners, int owner) {
   std::vector<const LimbCut*> children;
   for (std::size_t i = 0; i < limbs.size(); ++i) {
     if (owners[i] == owner) children.push_back(&limbs[i]);
@@ -139,15 +150,17 @@ Part BasePart(const FaceView& face, const std::vector<const LimbCut*>& children)
   return ring.Finish();
 }
 
-Part LimbPart(const FaceView& face, const LimbCut& limb, const std::vector<const LimbCut*>& children) {
+Part LimbPart(const FaceView& face, const LimbCut& limb,
+              const std::vector<const LimbCut*>& children) {
   RingBuilder ring(face.map);
   ring.Add(Reversed(limb.from_curve), limb.from_kind);
   AddWalk(face, ring, limb.from, limb.to, children);
   ring.Add(limb.to_curve, limb.to_kind);
   const Polyline open = OpenCompletion(face, limb);
   ring.Add(open, OutlineKind::kCompletion);
-  for (const SuggestiveCurve& curve : face.boundary.curves) {
-    if (curve.points == limb.from_curve || curve.points == limb.to_curve) ring.NoteStrokes(curve.edges);
+  for (const SuggestiveCurve& curve : face.curves) {
+    if (curve.points == limb.from_curve || curve.points == limb.to_curve)
+      ring.NoteStrokes(curve.edges);
   }
   Part part = ring.Finish();
   part.kind = PartKind::kLimb;
@@ -164,7 +177,8 @@ Part LimbPart(const FaceView& face, const LimbCut& limb, const std::vector<const
 
 }  // namespace
 
-std::vector<Part> CutFace(const FaceView& face, int cycle, const std::vector<LimbCut>& limbs, int first_id) {
+std::vector<Part> CutFace(const FaceView& face, int cycle, const std::vector<LimbCut>& limbs,
+                          int first_id) {
   const std::vector<int> owners = Owners(face.line, limbs);
   std::vector<Part> parts{BasePart(face, ChildrenOf(limbs, owners, -1))};
   std::vector<int> id_of(limbs.size(), -1);
@@ -172,7 +186,8 @@ std::vector<Part> CutFace(const FaceView& face, int cycle, const std::vector<Lim
   std::vector<std::size_t> order(limbs.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return face.line.Ahead(limbs[a].from, limbs[a].to) > face.line.Ahead(limbs[b].from, limbs[b].to);
+    return face.line.Ahead(limbs[a].from, limbs[a].to) >
+           face.line.Ahead(limbs[b].from, limbs[b].to);
   });
   for (const std::size_t i : order) {
     Part part = LimbPart(face, limbs[i], ChildrenOf(limbs, owners, static_cast<int>(i)));

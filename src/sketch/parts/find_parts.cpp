@@ -12,7 +12,8 @@ constexpr double kSpeck = 4e-3;
 Part WholeCycle(const PlanarMap& map, int cycle, PartKind kind) {
   const Boundary boundary = BoundaryOf(map, cycle);
   const BoundaryLine line = LineOf(map, boundary);
-  Part part = CutFace({map, boundary, line}, cycle, {}, 0).front();
+  const std::vector<SuggestiveCurve> none;
+  Part part = CutFace({map, line, none}, cycle, {}, 0).front();
   part.kind = kind;
   return part;
 }
@@ -24,14 +25,17 @@ bool Cross(const BoundaryLine& line, const LimbCut& a, const LimbCut& b) {
   return from != to;
 }
 
-std::vector<Part> PartsOf(const PlanarMap& map, int cycle, int first_id, const FindPartsOptions& options) {
+std::vector<Part> PartsOf(const PlanarMap& map, int cycle, int first_id,
+                          const FindPartsOptions& options) {
   const Boundary boundary = BoundaryOf(map, cycle);
   const BoundaryLine line = LineOf(map, boundary);
-  const FaceView face{map, boundary, line};
+  const std::vector<SuggestiveCurve> curves = SuggestiveCurvesOf(map, boundary, line);
+  const FaceView face{map, line, curves};
   Pairing pairing = PairCurves(face, options);
   std::vector<LimbCut> limbs = pairing.limbs;
   for (LimbCut& limb : OneCurveLimbs(face, pairing)) {
-    const bool crossing = std::any_of(limbs.begin(), limbs.end(), [&](const LimbCut& other) { return Cross(line, limb, other); });
+    const bool crossing = std::any_of(
+        limbs.begin(), limbs.end(), [&](const LimbCut& other) { return Cross(line, limb, other); });
     if (!crossing) limbs.push_back(std::move(limb));
   }
   return CutFace(face, cycle, limbs, first_id);

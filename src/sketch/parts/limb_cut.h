@@ -6,14 +6,16 @@
 #include "sketch/parts/boundary_line.h"
 
 /// @file
-/// How limbs are cut from a face: which stretch of its boundary is a limb, and by which curves it ends.
+/// How limbs are cut from a face: which stretch of its boundary is a limb, and by which curves it
+/// ends.
 
 namespace lascaux {
 
 /// A limb on a boundary: it owns the walk from `from` to `to`.
 struct LimbCut {
-  double from = 0, to = 0;      ///< places of the closed ends on the BoundaryLine
-  Polyline from_curve, to_curve;  ///< closed end to open end; an inferred one is contour or a mirror image
+  double from = 0, to = 0;  ///< places of the closed ends on the BoundaryLine
+  Polyline from_curve,
+      to_curve;  ///< closed end to open end; an inferred one is contour or a mirror image
   OutlineKind from_kind = OutlineKind::kDrawn, to_kind = OutlineKind::kDrawn;
   LimbEvidence evidence = LimbEvidence::kTwoCurves;
   double energy = 0;
@@ -22,33 +24,36 @@ struct LimbCut {
 /// Everything that the rules look at, for one face.
 struct FaceView {
   const PlanarMap& map;
-  const Boundary& boundary;
   const BoundaryLine& line;
+  const std::vector<SuggestiveCurve>& curves;
 };
 
-/// Pairs of suggestive curves, by the assignment of least total energy over the whole face (§4.2, eq. 2).
+/// Pairs of suggestive curves, by the assignment of least total energy over the whole face (§4.2,
+/// eq. 2).
 ///
-/// For curves i and j and both ways to connect their closed ends, E = p_i p_j (E_o + E_c): E_o and E_c are the energies of the
-/// completions of the open and of the closed ends, p = min(alpha / beta, 1) kept above 0.05, alpha the angle between the
-/// direction in which the outer edge arrives at a closed end and the chord to the other one, beta the angle between that
-/// direction and the suggestive curve. A curve may stay single for options.single_cost. Curves that
-/// the outline runs past smoothly (a mouth, a wrinkle) take no part. Limbs never cross; they may nest. O(n^3) in the curves of the face.
+/// For curves i and j and both ways to connect their closed ends, E = p_i p_j (E_o + E_c): E_o and
+/// E_c are the energies of the completions of the open and of the closed ends, p = min(alpha /
+/// beta, 1) kept above 0.05, alpha the angle between the direction in which the outer edge arrives
+/// at a closed end and the chord to the other one, beta the angle between that direction and the
+/// suggestive curve. A curve may stay single for options.single_cost. Curves that the outline runs
+/// past smoothly (a mouth, a wrinkle) take no part. Limbs never cross; they may nest. O(n^3) in the
+/// curves of the face.
 struct Pairing {
   std::vector<LimbCut> limbs;
-  std::vector<int> single;  ///< curves left over that could be one side of a limb, as indices in Boundary::curves
+  std::vector<int> single;  ///< curves left over that could be one side of a limb, as indices in
+                            ///< FaceView::curves
 };
 Pairing PairCurves(const FaceView& face, const FindPartsOptions& options);
 
-/// Limbs with one suggestive curve: the other side is the contour. The second closed end is the place beyond the limb's tip
-/// that is nearest to the first, moved to a corner or a junction close by. From there the flank follows the contour, if that runs along with
-/// the drawn curve (a thigh's rump); else it is the drawn curve's mirror image.
+/// Limbs with one suggestive curve: the other side is the contour. The second closed end is the
+/// place beyond the limb's tip that is nearest to the first, moved to a corner or a junction close
+/// by. From there the flank follows the contour, if that runs along with the drawn curve (a thigh's
+/// rump); else it is the drawn curve's mirror image.
 std::vector<LimbCut> OneCurveLimbs(const FaceView& face, const Pairing& pairing);
 
-/// The parts of one face: first what is left of the face itself, then its limbs, parents before children. `first_id` is the id that the
-/// first of them will have.
-std::vector<Part> CutFace(const FaceView& face, int cycle, const std::vector<LimbCut>& limbs, int first_id);
-
-/// Tangents for completions are taken over this length.
-double TangentReach(const PlanarMap& map);
+/// The parts of one face: first what is left of the face itself, then its limbs, parents before
+/// children. `first_id` is the id that the first of them will have.
+std::vector<Part> CutFace(const FaceView& face, int cycle, const std::vector<LimbCut>& limbs,
+                          int first_id);
 
 }  // namespace lascaux

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -17,12 +18,17 @@ constexpr double kShortestAlone = 0.02;
 constexpr double kStraightOn = std::numbers::pi / 4;
 /// The limb reaches at least this many times the width of its root away from it.
 constexpr double kLeastReach = 1.5;
-/// The contour is the limb's other flank if it leaves its closed end within this angle of the drawn curve's direction.
+/// The contour is the limb's other flank if it leaves its closed end within this angle of the drawn
+/// curve's direction.
 constexpr double kAlong = std::numbers::pi / 3.6;
 /// Width of the root, share of the diagonal: below it is a hair, above it is half the animal.
 constexpr double kLeastWidth = 0.015, kMostWidth = 0.3;
-/// How much wider than at its narrowest the root may be at a corner or junction that is taken for its end.
+/// How much wider than at its narrowest the root may be at a corner or junction that is taken for
+/// its end.
 constexpr double kFeatureSlack = 1.3;
+/// One curve alone is weak evidence: only of legs is it common. A leg reaches the lowest part of
+/// the drawing, this share of its height.
+constexpr double kGround = 0.25;
 /// Steps of the search along the contour, share of the diagonal.
 constexpr double kStep = 2.5e-3;
 /// Turn of the contour that counts as a corner.
@@ -38,13 +44,16 @@ struct Walker {
   Vector2d At(double s) const { return face.line.At(start + sign * s); }
 };
 
-/// How far the walk may go from `start` before it meets a closed end of a limb that it would have to cross. Limbs
-/// that lie wholly on the way are stepped over by the caller's geometry: they end where they begin.
+/// How far the walk may go from `start` before it meets a closed end of a limb that it would have
+/// to cross. Limbs that lie wholly on the way are stepped over by the caller's geometry: they end
+/// where they begin.
 double FreeWay(const FaceView& face, const Pairing& pairing, double start, int sign) {
   double limit = 0.75 * face.line.length;
   for (const LimbCut& limb : pairing.limbs) {
-    const double enter = sign > 0 ? face.line.Ahead(start, limb.from) : face.line.Ahead(limb.to, start);
-    const double leave = sign > 0 ? face.line.Ahead(start, limb.to) : face.line.Ahead(limb.from, start);
+    const double enter =
+        sign > 0 ? face.line.Ahead(start, limb.from) : face.line.Ahead(limb.to, start);
+    const double leave =
+        sign > 0 ? face.line.Ahead(start, limb.to) : face.line.Ahead(limb.from, start);
     // Starting inside another limb's stretch: stay in it. Else: stop where the other begins.
     limit = std::min(limit, std::min(enter, leave));
   }
@@ -79,9 +88,11 @@ double MovedToFeature(const Walker& walker, double place, double step) {
   const Vector2d origin = walker.At(0);
   const double width = (walker.At(place) - origin).norm(), reach = TangentReach(walker.face.map);
   double best = place, sharpest = kCorner;
-  for (double s = std::max(step, place - width); s < std::min(walker.limit, place + width); s += step) {
+  for (double s = std::max(step, place - width); s < std::min(walker.limit, place + width);
+       s += step) {
     if ((walker.At(s) - origin).norm() > kFeatureSlack * width) continue;
-    const Vector2d before = walker.At(s) - walker.At(s - reach), after = walker.At(s + reach) - walker.At(s);
+    const Vector2d before = walker.At(s) - walker.At(s - reach),
+                   after = walker.At(s + reach) - walker.At(s);
     const double turn = AngleBetween(before, after);
     if (turn > sharpest) {
       sharpest = turn;
@@ -89,6 +100,20 @@ double MovedToFeature(const Walker& walker, double place, double step) {
     }
   }
   return best;
+}
+
+/// True when the stretch of contour from the closed end to `place` comes down to where the animal
+/// stands.
+bool ReachesTheGround(const Walker& walker, double place, double step) {
+  double top = std::numeric_limits<double>::infinity(), bottom = -top, lowest = -top;
+  for (const MapEdge& edge : walker.face.map.edges) {
+    for (const Vector2d& p : edge.points) {
+      top = std::min(top, p.y());
+      bottom = std::max(bottom, p.y());
+    }
+  }
+  for (double s = 0; s < place; s += step) lowest = std::max(lowest, walker.At(s).y());
+  return lowest > bottom - kGround * (bottom - top);
 }
 
 bool IsInsideFace(const FaceView& face, const Vector2d& a, const Vector2d& b) {
@@ -104,18 +129,22 @@ struct Flank {
   OutlineKind kind = OutlineKind::kDrawn;
 };
 
-/// The stretch of contour beyond the second closed end, as long as the drawn curve if there is room.
+/// The stretch of contour beyond the second closed end, as long as the drawn curve if there is
+/// room.
 Polyline ContourFlank(const Walker& walker, double place, double length) {
-  const double step = kStep * walker.face.map.diagonal, flank = std::min(length, walker.limit - place);
+  const double step = kStep * walker.face.map.diagonal,
+               flank = std::min(length, walker.limit - place);
   Polyline contour;
   for (double s = 0; s < flank; s += step) Append(contour, {walker.At(place + s)});
   Append(contour, {walker.At(place + flank)});
   return contour;
 }
 
-/// The drawn curve reflected so that its closed end falls on `closed`; its first part that stays inside the face.
+/// The drawn curve reflected so that its closed end falls on `closed`; its first part that stays
+/// inside the face.
 Polyline MirroredFlank(const FaceView& face, const Polyline& curve, const Vector2d& closed) {
-  const Vector2d across = (closed - curve.front()).stableNormalized(), middle = 0.5 * (closed + curve.front());
+  const Vector2d across = (closed - curve.front()).stableNormalized(),
+                 middle = 0.5 * (closed + curve.front());
   Polyline mirrored;
   for (const Vector2d& p : curve) {
     const Vector2d q = p - 2 * (p - middle).dot(across) * across;
@@ -135,24 +164,34 @@ Flank OtherFlank(const Walker& walker, double place, const SuggestiveCurve& curv
   return {mirrored, OutlineKind::kCompletion};
 }
 
-std::optional<LimbCut> LimbOf(const FaceView& face, const Pairing& pairing, const SuggestiveCurve& curve) {
+std::optional<LimbCut> LimbOf(const FaceView& face, const Pairing& pairing,
+                              const SuggestiveCurve& curve) {
   const double diagonal = face.map.diagonal, step = kStep * diagonal;
   if (curve.length < kShortestAlone * diagonal) return std::nullopt;
   const int sign = curve.turn_after < curve.turn_before ? 1 : -1;
   if (std::min(curve.turn_after, curve.turn_before) > kStraightOn) return std::nullopt;
-  const double start = face.line.node_arcs[static_cast<std::size_t>(curve.position)];
+  const double start = curve.arc;
   const Walker walker{face, start, sign, FreeWay(face, pairing, start, sign)};
   const auto nearest = NearestBeyondTip(walker, step);
   if (!nearest) return std::nullopt;
   const double place = MovedToFeature(walker, *nearest, step);
+  if (!ReachesTheGround(walker, place, step)) return std::nullopt;
   const Vector2d a = walker.At(0), b = walker.At(place);
   const double width = (b - a).norm();
-  if (width < kLeastWidth * diagonal || width > kMostWidth * diagonal || !IsInsideFace(face, a, b)) return std::nullopt;
+  if (width < kLeastWidth * diagonal || width > kMostWidth * diagonal || !IsInsideFace(face, a, b))
+    return std::nullopt;
   Flank flank = OtherFlank(walker, place, curve);
   const Vector2d tip = ArrivalDirection(flank.points, TangentReach(face.map));
-  const double energy = Complete({curve.points.back(), curve.tip}, {flank.points.back(), tip}).energy;
-  LimbCut limb{start, face.line.Wrap(start + sign * place), curve.points, std::move(flank.points),
-               OutlineKind::kDrawn, flank.kind, LimbEvidence::kOneCurve, energy};
+  const double energy =
+      Complete({curve.points.back(), curve.tip}, {flank.points.back(), tip}).energy;
+  LimbCut limb{start,
+               face.line.Wrap(start + sign * place),
+               curve.points,
+               std::move(flank.points),
+               OutlineKind::kDrawn,
+               flank.kind,
+               LimbEvidence::kOneCurve,
+               energy};
   if (sign < 0) {
     std::swap(limb.from, limb.to);
     std::swap(limb.from_curve, limb.to_curve);
@@ -167,12 +206,13 @@ std::vector<LimbCut> OneCurveLimbs(const FaceView& face, const Pairing& pairing)
   // Long curves first: they are the surer limbs, and each limb found is an obstacle for the next.
   std::vector<int> order = pairing.single;
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-    return face.boundary.curves[static_cast<std::size_t>(a)].length > face.boundary.curves[static_cast<std::size_t>(b)].length;
+    return face.curves[static_cast<std::size_t>(a)].length >
+           face.curves[static_cast<std::size_t>(b)].length;
   });
   Pairing known = pairing;
   std::vector<LimbCut> found;
   for (const int i : order) {
-    if (const auto limb = LimbOf(face, known, face.boundary.curves[static_cast<std::size_t>(i)])) {
+    if (const auto limb = LimbOf(face, known, face.curves[static_cast<std::size_t>(i)])) {
       found.push_back(*limb);
       known.limbs.push_back(*limb);
     }

@@ -14,13 +14,15 @@ using Eigen::Vector2d;
 
 /// Suggestive curves shorter than this share of the diagonal are hooks of the pen.
 constexpr double kShortest = 0.008;
-/// A curve that neither side runs on into within this angle stands on the outline: it is a detail if the outline passes it straight.
+/// A curve that neither side runs on into within this angle stands on the outline: it is a detail
+/// if the outline passes it straight.
 constexpr double kDetailTurn = std::numbers::pi / 4;
 /// Cost of a turn between a limb's contour and its suggestive curve, per radian squared.
 constexpr double kTurnCost = 2;
 /// The closed ends of a limb are at most this share of the diagonal apart ...
 constexpr double kWidest = 0.4;
-/// ... and it sticks out: its own contour is at least so many times as long as the chord between them.
+/// ... and it sticks out: its own contour is at least so many times as long as the chord between
+/// them.
 constexpr double kLeastProtrusion = 1.25;
 /// Least value of the paper's p: even the best angles leave some of the completions' energy.
 constexpr double kLeastP = 0.05;
@@ -53,28 +55,30 @@ bool ChordIsInside(const Polyline& ring, const Vector2d& a, const Vector2d& b) {
   return inside >= kChordInside * kSamples;
 }
 
-/// Energy of the limb that owns the walk from curve i to curve j; infinite for one that does not stick out.
+/// Energy of the limb that owns the walk from curve i to curve j; infinite for one that does not
+/// stick out.
 ///
-/// To the paper's energy comes what it costs when the limb's own contour does not run on into its suggestive curves:
-/// the square of both turns.
+/// To the paper's energy comes what it costs when the limb's own contour does not run on into its
+/// suggestive curves: the square of both turns.
 double PairEnergy(const FaceView& face, int i, int j) {
-  const SuggestiveCurve& a = face.boundary.curves[static_cast<std::size_t>(i)];
-  const SuggestiveCurve& b = face.boundary.curves[static_cast<std::size_t>(j)];
+  const SuggestiveCurve& a = face.curves[static_cast<std::size_t>(i)];
+  const SuggestiveCurve& b = face.curves[static_cast<std::size_t>(j)];
   const double reach = TangentReach(face.map);
   const Vector2d chord = b.points.front() - a.points.front();
-  const double from = face.line.node_arcs[static_cast<std::size_t>(a.position)];
-  const double to = face.line.node_arcs[static_cast<std::size_t>(b.position)];
-  const Vector2d arrival_a = face.line.DirectionBefore(from, reach);
-  const Vector2d arrival_b = -face.line.DirectionAfter(to, reach);
-  if (face.line.Ahead(from, to) < kLeastProtrusion * chord.norm()) return std::numeric_limits<double>::infinity();
+  const Vector2d arrival_a = face.line.DirectionBefore(a.arc, reach);
+  const Vector2d arrival_b = -face.line.DirectionAfter(b.arc, reach);
+  if (face.line.Ahead(a.arc, b.arc) < kLeastProtrusion * chord.norm())
+    return std::numeric_limits<double>::infinity();
   const double p = PValue(arrival_a, chord, a.departure) * PValue(arrival_b, -chord, b.departure);
-  const double closed = Complete({a.points.front(), arrival_a}, {b.points.front(), arrival_b}).energy;
+  const double closed =
+      Complete({a.points.front(), arrival_a}, {b.points.front(), arrival_b}).energy;
   const double open = Complete({a.points.back(), a.tip}, {b.points.back(), b.tip}).energy;
   const double turns = a.turn_after * a.turn_after + b.turn_before * b.turn_before;
   return p * (open + closed) + kTurnCost * turns;
 }
 
-/// Interval dynamic programme over the curves in walk order: the non-crossing assignment of least total cost.
+/// Interval dynamic programme over the curves in walk order: the non-crossing assignment of least
+/// total cost.
 class Assignment {
  public:
   Assignment(std::vector<double> single, std::vector<std::vector<Candidate>> pairs)
@@ -129,8 +133,9 @@ class Assignment {
 
 /// The better of both ways to connect two curves, if the chord runs through the face.
 Candidate BestWay(const FaceView& face, int i, int j) {
-  const auto& curves = face.boundary.curves;
-  const Vector2d &a = curves[static_cast<std::size_t>(i)].points.front(), &b = curves[static_cast<std::size_t>(j)].points.front();
+  const auto& curves = face.curves;
+  const Vector2d &a = curves[static_cast<std::size_t>(i)].points.front(),
+                 &b = curves[static_cast<std::size_t>(j)].points.front();
   const double chord = (a - b).norm() / face.map.diagonal;
   if (chord < kShortest || chord > kWidest || !ChordIsInside(face.line.points, a, b)) return {};
   const Candidate ahead{i, j, PairEnergy(face, i, j)}, around{j, i, PairEnergy(face, j, i)};
@@ -139,13 +144,12 @@ Candidate BestWay(const FaceView& face, int i, int j) {
 
 }  // namespace
 
-double TangentReach(const PlanarMap& map) { return 0.012 * map.diagonal; }
-
 Pairing PairCurves(const FaceView& face, const FindPartsOptions& options) {
   std::vector<int> usable;
-  for (std::size_t i = 0; i < face.boundary.curves.size(); ++i) {
-    const SuggestiveCurve& curve = face.boundary.curves[i];
-    if (curve.length >= kShortest * face.map.diagonal && !IsDetail(curve)) usable.push_back(static_cast<int>(i));
+  for (std::size_t i = 0; i < face.curves.size(); ++i) {
+    const SuggestiveCurve& curve = face.curves[i];
+    if (curve.length >= kShortest * face.map.diagonal && !IsDetail(curve))
+      usable.push_back(static_cast<int>(i));
   }
   const std::size_t n = usable.size();
   const std::vector<double> single(n, options.single_cost);
@@ -154,14 +158,13 @@ Pairing PairCurves(const FaceView& face, const FindPartsOptions& options) {
     for (std::size_t j = i + 1; j < n; ++j) pairs[i][j] = BestWay(face, usable[i], usable[j]);
   }
   Pairing pairing;
-  std::vector<bool> taken(face.boundary.curves.size(), false);
+  std::vector<bool> taken(face.curves.size(), false);
   for (const Candidate& c : Assignment(single, pairs).Chosen()) {
-    const SuggestiveCurve& a = face.boundary.curves[static_cast<std::size_t>(c.i)];
-    const SuggestiveCurve& b = face.boundary.curves[static_cast<std::size_t>(c.j)];
+    const SuggestiveCurve& a = face.curves[static_cast<std::size_t>(c.i)];
+    const SuggestiveCurve& b = face.curves[static_cast<std::size_t>(c.j)];
     taken[static_cast<std::size_t>(c.i)] = taken[static_cast<std::size_t>(c.j)] = true;
-    pairing.limbs.push_back({face.line.node_arcs[static_cast<std::size_t>(a.position)],
-                             face.line.node_arcs[static_cast<std::size_t>(b.position)], a.points, b.points,
-                             OutlineKind::kDrawn, OutlineKind::kDrawn, LimbEvidence::kTwoCurves, c.energy});
+    pairing.limbs.push_back({a.arc, b.arc, a.points, b.points, OutlineKind::kDrawn,
+                             OutlineKind::kDrawn, LimbEvidence::kTwoCurves, c.energy});
   }
   for (const int i : usable) {
     if (!taken[static_cast<std::size_t>(i)]) pairing.single.push_back(i);

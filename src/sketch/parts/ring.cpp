@@ -18,7 +18,8 @@ bool Contains(const std::vector<Vector2d>& ring, const Vector2d& point) {
   for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
     const Vector2d &a = ring[i], &b = ring[j];
     if ((a.y() > point.y()) == (b.y() > point.y())) continue;
-    if (point.x() < a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) inside = !inside;
+    if (point.x() < a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
+      inside = !inside;
   }
   return inside;
 }
