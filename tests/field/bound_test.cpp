@@ -50,7 +50,7 @@ constexpr double kRounding = 1 + 1e-6;
 TEST(BoundOnBall, HoldsTheFieldAtEveryPointOfTheBall) {
   double tightness = 0;
   int bounded = 0;
-  ForSeeds(150, [&](Random& random) {
+  ForSeeds(80, [&](Random& random) {
     const Field field = RandomCreature(random);
     const CompiledField compiled(field);
     for (int k = 0; k < 40; ++k) {

@@ -87,7 +87,7 @@ TEST(Segment, ValueAndGradientAgreeWithQuadratureOnTheAxis) {
 }
 
 TEST(Segment, ValueAndGradientAgreeWithQuadratureNearTips) {
-  ForSeeds(1000, [](Random& random) {
+  ForSeeds(500, [](Random& random) {
     Segment segment = RandomSegment(random);
     segment.radius_b = random.Chance(0.5) ? 0 : segment.radius_a * random.LogUniform(1e-3, 1e-1);
     Eigen::Vector3d point = PointNear(random, segment);
