@@ -1,0 +1,56 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+#include "volume/render/camera.h"
+#include "volume/render/coarse_field.h"
+
+/// @file
+/// A small photo studio around the model: a large soft key light, a bright sky, a floor that throws
+/// light back.
+///
+/// Areas of light are marched as cones through the coarse distances, which needs no random rays and
+/// leaves no noise. Source: A. Evans, "Fast Approximations for Global Illumination on Dynamic
+/// Scenes", SIGGRAPH 2006 course notes, for occlusion from distance fields.
+
+namespace lascaux {
+
+using Color = Eigen::Array3f;  // linear light, sRGB primaries
+
+/// The lights' places, fixed to the camera so that every view is lit alike, and what they see of
+/// the model.
+class Studio {
+ public:
+  /// Both must outlive it.
+  Studio(const CoarseField& coarse, const Camera& camera);
+
+  /// Light that clay sends from a place on the surface towards the camera.
+  Color Shade(const Eigen::Vector3f& p, const Eigen::Vector3f& normal,
+              const Eigen::Vector3f& to_eye) const;
+
+  /// Share of the key light, 0 to 1, that reaches a place; `lift` voxels are left out at its
+  /// beginning.
+  float KeyVisibility(const Eigen::Vector3f& p, float lift) const;
+
+  /// Share of a cone of half angle about 30 degrees that is free, weighted towards near obstacles.
+  float ConeVisibility(const Eigen::Vector3f& p, const Eigen::Vector3f& direction) const;
+
+  /// How close the model is above a place on the floor, 0 to 1: round and without directions.
+  float Contact(const Eigen::Vector3f& p) const noexcept;
+
+  /// Size of the model in voxels, which all lengths of light are relative to.
+  float size() const noexcept { return size_; }
+  float ground() const noexcept { return coarse_->ground(); }
+
+ private:
+  Color Ambient(const Eigen::Vector3f& p, const Eigen::Vector3f& normal) const;
+
+  const CoarseField* coarse_;
+  const Camera* camera_;
+  float size_;
+  Eigen::Vector3f key_, rim_;
+  std::array<float, 4> reach_;  ///< lengths at which a cone looks, in voxels
+};
+
+}  // namespace lascaux

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <openvdb/openvdb.h>
+
+#include <Eigen/Core>
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "volume/render/coarse_field.h"
+
+/// @file
+/// Rays against a level set.
+
+namespace lascaux {
+
+/// A half line in index space; `direction` has length 1.
+struct Ray {
+  Eigen::Vector3f origin, direction;
+
+  Eigen::Vector3f At(float t) const noexcept { return origin + t * direction; }
+};
+
+/// A level set, ready to be met by rays: a table of its leaves, since an accessor is slow where
+/// cells reach over leaves.
+///
+/// 8 bytes for each 8 x 8 x 8 voxels of its box. May be shared between threads.
+class Surface {
+ public:
+  /// Both must outlive it.
+  Surface(const openvdb::FloatGrid& grid, const CoarseField& coarse);
+
+  /// First place along the ray that is inside, as a distance from the origin, within 0.05 voxels.
+  /// The part of the ray before `from` is known to be free.
+  std::optional<float> Hit(const Ray& ray, float from) const noexcept;
+
+  /// How far all rays are free that differ from this one's direction by less than a tangent of
+  /// `spread`; infinite if none of them can meet the surface.
+  float FreeLength(const Ray& ray, float spread) const noexcept;
+
+  /// Unit normal near the surface: gradient of the quadratic B-spline over 27 voxels, continuous,
+  /// with the grid's noise smoothed away.
+  Eigen::Vector3f Normal(const Eigen::Vector3f& p) const noexcept;
+
+ private:
+  static constexpr int kLeafLog = 3, kLeafSize = 1 << kLeafLog;
+  static constexpr int kStrideX = kLeafSize * kLeafSize, kStrideY = kLeafSize;
+
+  /// A place along a ray and its distance from the surface.
+  struct Probe {
+    float t, distance;
+  };
+
+  /// Distance in voxels, trilinear. Within the table's box, less one voxel.
+  float At(const Eigen::Vector3f& p) const noexcept;
+  /// Where the sign changes between two places.
+  float Refine(const Ray& ray, Probe outside, Probe inside) const noexcept;
+
+  const float* LeafOf(const std::array<int, 3>& c) const noexcept {
+    const int x = c[0] >> kLeafLog, y = c[1] >> kLeafLog, z = c[2] >> kLeafLog;
+    return leaves_[static_cast<std::size_t>((x * size_[1] + y) * size_[2] + z)];
+  }
+  static int InLeaf(const std::array<int, 3>& c) noexcept {
+    constexpr int kMask = kLeafSize - 1;
+    return (c[0] & kMask) * kStrideX + (c[1] & kMask) * kStrideY + (c[2] & kMask);
+  }
+  float Value(const std::array<int, 3>& c) const noexcept { return LeafOf(c)[InLeaf(c)]; }
+
+  const CoarseField* coarse_;
+  float per_voxel_, band_;
+  Eigen::Vector3f low_, high_;    ///< where rays look
+  Eigen::Vector3f origin_;        ///< of the table, in index space
+  std::array<int, 3> size_ = {};  ///< in leaves
+  std::vector<const float*> leaves_;
+  using Block = std::array<float, kLeafSize * kStrideX>;
+  std::unique_ptr<std::array<Block, 2>> constant_;  ///< stand for what is no leaf: outside, inside
+};
+
+}  // namespace lascaux
