@@ -27,14 +27,15 @@ constexpr const char* kExitCodes = R"(Exit codes:
   5 output can't be written   6 mesh not printable   1 bug   130 interrupted
 )";
 
-/// A number that is finite, above 0 and at most `most`.
-CLI::Validator Positive(double most) {
+/// A number in [least, most]; CLI::Range would let "nan" through.
+CLI::Validator Between(double least, double most) {
   return CLI::Validator(
-      [most](const std::string& text) {
+      [least, most](const std::string& text) {
         double value = 0;
-        if (!CLI::detail::lexical_cast(text, value)) return "'" + text + "' is not a number";
-        if (std::isfinite(value) && value > 0 && value <= most) return std::string();
-        return fmt::format("{} is not above 0 and at most {}", text, most);
+        if (!CLI::detail::lexical_cast(text, value))
+          return fmt::format("'{}' is not a number", text);
+        if (value >= least && value <= most) return std::string();
+        return fmt::format("{} is not from {} to {}", text, least, most);
       },
       "");
 }
@@ -79,6 +80,8 @@ void AddShared(CLI::App& app, CommandLine& line) {
 void AddBuild(CLI::App& app, CommandLine& line) {
   constexpr double kLargestResolution = 8192;  // a model of 8192 voxels takes some 20 GB
   constexpr double kLargestSize = 1e6;         // mm: a kilometre
+  constexpr double kSmallestSize = 1e-3;       // mm
+  constexpr double kSmallestVoxel = 1e-6;      // mm
   constexpr double kLargestBlend = 64;         // the field's own limit on exponents
   CommandOptions& options = line.options;
   PipelineOptions& pipeline = options.pipeline;
@@ -90,20 +93,20 @@ void AddBuild(CLI::App& app, CommandLine& line) {
   AddShared(app, line);
   auto* resolution =
       app.add_option("--resolution", pipeline.resolution, "Voxels along the longest side")
-          ->check(Positive(kLargestResolution))
+          ->check(Between(1, kLargestResolution))
           ->capture_default_str()
           ->type_name("N");
   app.add_option("--voxel-size", pipeline.voxel_size, "Edge of a voxel, instead of --resolution")
-      ->check(Positive(kLargestSize))
+      ->check(Between(kSmallestVoxel, kLargestSize))
       ->excludes(resolution)
       ->type_name("MM");
   app.add_option("--size", pipeline.size, "Longest side of the model")
-      ->check(Positive(kLargestSize))
+      ->check(Between(kSmallestSize, kLargestSize))
       ->capture_default_str()
       ->type_name("MM");
   app.add_option("--blend", pipeline.blend,
                  "How sharply parts meet: 1 is the softest, above 8 nearly a crease")
-      ->check(CLI::Range(1.0, kLargestBlend))
+      ->check(Between(1, kLargestBlend))
       ->capture_default_str()
       ->type_name("N");
   app.add_option("--units", options.write.unit, "Unit of .vdb and .ply: mm, cm or m (default m)")

@@ -153,7 +153,7 @@ std::string JunctionsLayer(const Model& model, const PictureStyle& style) {
 std::string BodyLayer(const Model& model, const PictureStyle& style) {
   if (!model.graph) return {};
   const SvgNumbers& n = style.numbers;
-  const Eigen::Vector2d at = LabelPoint(model, model.graph->body);
+  const Eigen::Vector2d at = LabelPlaceOf(model, model.graph->body).at;
   const double r = 2.2 * style.unit;
   std::string text = Circle(style, at, r);
   for (const Eigen::Vector2d& d : {Eigen::Vector2d(1, 0), Eigen::Vector2d(-1, 0),
@@ -171,7 +171,11 @@ std::string LabelsLayer(const Model& model, const PictureStyle& style) {
   const SvgNumbers& n = style.numbers;
   std::string text;
   for (std::size_t i = 0; i < model.graph->nodes.size(); ++i) {
-    const Eigen::Vector2d at = LabelPoint(model, static_cast<int>(i));
+    const LabelPlace place = LabelPlaceOf(model, static_cast<int>(i));
+    Eigen::Vector2d at = place.at;
+    // Beside what is too small to be seen under its label.
+    if (place.room < 2 * style.unit)
+      at += Eigen::Vector2d(1, 1).normalized() * (place.room + 1.8 * style.unit);
     text += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>\n", n(at.x()),
                         n(at.y() + 0.75 * style.unit), i);
   }

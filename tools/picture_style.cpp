@@ -66,36 +66,32 @@ PictureStyle StyleFor(const Model& model) {
   return style;
 }
 
-Eigen::Vector2d InnerPoint(const std::vector<Eigen::Vector2d>& ring) {
+LabelPlace InnerPlace(const std::vector<Eigen::Vector2d>& ring) {
   constexpr int kLevels = 15;
   Eigen::AlignedBox2d box;
   for (const Eigen::Vector2d& point : ring) box.extend(point);
-  if (box.isEmpty()) return Eigen::Vector2d::Zero();
-  Eigen::Vector2d best = box.center();
-  double best_room = 0;
+  if (box.isEmpty()) return {Eigen::Vector2d::Zero(), 0};
+  LabelPlace best{box.center(), 0};
   for (int i = 1; i <= kLevels; ++i) {
     const double y = box.min().y() + box.sizes().y() * i / (kLevels + 1);
     const auto [left, right] = WidestChord(ring, 0, y);
     const double x = (left + right) / 2;
     const auto [top, bottom] = WidestChord(ring, 1, x);
-    const double room = std::min(right - left, 2 * std::min(y - top, bottom - y));
-    if (room > best_room) {
-      best_room = room;
-      best = {x, y};
-    }
+    const double room = std::min({(right - left) / 2, y - top, bottom - y});
+    if (room > best.room) best = {{x, y}, room};
   }
   return best;
 }
 
-Eigen::Vector2d LabelPoint(const Model& model, int part) {
+LabelPlace LabelPlaceOf(const Model& model, int part) {
   const SkeletonVertex* largest = nullptr;
   if (model.skeletons)
     for (const Skeleton& skeleton : *model.skeletons)
       if (skeleton.part == part)
         for (const SkeletonVertex& vertex : skeleton.vertices)
           if (largest == nullptr || vertex.radius > largest->radius) largest = &vertex;
-  if (largest != nullptr) return largest->position;
-  return InnerPoint(model.parts->parts[static_cast<std::size_t>(part)].outline.points);
+  if (largest != nullptr) return {largest->position, largest->radius};
+  return InnerPlace(model.parts->parts[static_cast<std::size_t>(part)].outline.points);
 }
 
 }  // namespace lascaux

@@ -23,11 +23,16 @@ struct PictureStyle {
 /// The style for a model; parts that have a partner get its colour.
 PictureStyle StyleFor(const Model& model);
 
-/// A point well inside a ring (the middle of a wide horizontal chord with room on all sides):
-/// where its label goes when it has no skeleton.
-Eigen::Vector2d InnerPoint(const std::vector<Eigen::Vector2d>& ring);
+/// A place for a part's label, and how much room there is around it.
+struct LabelPlace {
+  Eigen::Vector2d at;
+  double room = 0;  ///< radius of the circle around it that lies in the part, roughly
+};
+
+/// A point well inside a ring: the middle of a wide horizontal chord with room on all sides.
+LabelPlace InnerPlace(const std::vector<Eigen::Vector2d>& ring);
 
 /// Where the label of a part goes: the centre of its largest disc, or a point inside its outline.
-Eigen::Vector2d LabelPoint(const Model& model, int part);
+LabelPlace LabelPlaceOf(const Model& model, int part);
 
 }  // namespace lascaux

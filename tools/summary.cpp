@@ -45,7 +45,7 @@ Diagnostic Summary(const Model& model, const std::vector<OutputTarget>& targets)
     separator = ", ";
   }
   if (targets.empty()) text += "; nothing was asked to be written (-o FILE)";
-  return Note(model.mesh ? "built" : "understood", text);
+  return model.mesh ? Note("built", text) : Note("understood", text);
 }
 
 }  // namespace lascaux

@@ -14,7 +14,7 @@ std::vector<std::string> Paths(const Names& sketches, const std::vector<OutputRe
   Diagnostics log;
   const auto plan = PlanOutputs(sketches, requests).MoveInto(log);
   std::vector<std::string> paths;
-  if (!plan) return {"error: " + log.front().code};
+  if (!plan) return {log.front().code};
   for (const auto& targets : *plan)
     for (const OutputTarget& target : targets) paths.push_back(target.path.string());
   return paths;
@@ -59,22 +59,19 @@ TEST(OutputPlan, BracesStandForTheSketchsNameWithoutItsEnding) {
 }
 
 TEST(OutputPlan, SeveralSketchesNeedBraces) {
-  EXPECT_EQ(Paths({"a.svg", "b.svg"}, {{OutputKind::kStl, "out.stl"}}),
-            (Names{"error: output-name"}));
+  EXPECT_EQ(Paths({"a.svg", "b.svg"}, {{OutputKind::kStl, "out.stl"}}), (Names{"output-name"}));
 }
 
 TEST(OutputPlan, NoOutputIsWrittenTwice) {
-  EXPECT_EQ(Paths({"x/a.svg", "y/a.svg"}, {{OutputKind::kStl, "{}.stl"}}),
-            (Names{"error: output-name"}));
+  EXPECT_EQ(Paths({"x/a.svg", "y/a.svg"}, {{OutputKind::kStl, "{}.stl"}}), (Names{"output-name"}));
   EXPECT_EQ(Paths({"a.svg"}, {{OutputKind::kStl, "o.stl"}, {OutputKind::kStl, "./o.stl"}}),
-            (Names{"error: output-name"}));
+            (Names{"output-name"}));
 }
 
 TEST(OutputPlan, NoInputIsOverwritten) {
-  EXPECT_EQ(Paths({"a.svg"}, {{OutputKind::kParsePicture, "./a.svg"}}),
-            (Names{"error: output-name"}));
+  EXPECT_EQ(Paths({"a.svg"}, {{OutputKind::kParsePicture, "./a.svg"}}), (Names{"output-name"}));
   EXPECT_EQ(Paths({"a.svg", "b.svg"}, {{OutputKind::kParsePicture, "{}.svg"}}),
-            (Names{"error: output-name"}));
+            (Names{"output-name"}));
 }
 
 }  // namespace

@@ -59,14 +59,14 @@ TEST(ParsePicture, LabelsLieInsideTheirParts) {
   const Model model = SampleModel();
   for (int i = 0; i < static_cast<int>(model.parts->parts.size()); ++i) {
     const auto& ring = model.parts->parts[static_cast<std::size_t>(i)].outline.points;
-    EXPECT_TRUE(Contains(ring, LabelPoint(model, i))) << i;
-    EXPECT_TRUE(Contains(ring, InnerPoint(ring))) << i;
+    EXPECT_TRUE(Contains(ring, LabelPlaceOf(model, i).at)) << i;
+    EXPECT_TRUE(Contains(ring, InnerPlace(ring).at)) << i;
   }
 }
 
 TEST(ParsePicture, AnAngleHasItsLabelInsideItToo) {
   const std::vector<Eigen::Vector2d> angle = {{0, 0}, {10, 0}, {10, 1}, {1, 1}, {1, 10}, {0, 10}};
-  EXPECT_TRUE(Contains(angle, InnerPoint(angle)));
+  EXPECT_TRUE(Contains(angle, InnerPlace(angle).at));
 }
 
 TEST(SvgText, NumbersKeepAHundredThousandthOfTheDiagonal) {
