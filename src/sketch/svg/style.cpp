@@ -106,9 +106,10 @@ class Cascade {
     }
   }
 
-  Style Finish() && {
-    style_.opacity *= parent_.opacity;
-    return style_;
+  Style Finish() const {
+    Style style = style_;
+    style.opacity *= parent_.opacity;
+    return style;
   }
 
  private:
@@ -226,7 +227,7 @@ ComputedStyle ComputeStyle(const Style& parent, const pugi::xml_node& element,
     for (const auto* block : matches.blocks) cascade.Apply(*block, layer);
     cascade.Apply(own, layer);
   }
-  return {std::move(cascade).Finish(), matches.cost};
+  return {cascade.Finish(), matches.cost};
 }
 
 }  // namespace lascaux::svg
