@@ -14,7 +14,7 @@ using std::numbers::pi;
 constexpr double kBandRadius = 4;
 // Blocks that the bounds leave in doubt, for each voxel face of surface: 0.03 to 0.05 were
 // measured.
-constexpr double kBlocksPerFace = 0.1;
+constexpr double kBlocksPerFace = 0.06;
 // A block's leaf (2.1 KB), three arrays of distances (6.1 KB), its list of primitives, and what the
 // mesher needs for about 50 quadrilaterals (8 KB).
 constexpr double kBytesPerBlock = 18e3;
@@ -27,7 +27,8 @@ double AreaOf(const FieldChain& chain, double margin) {
     largest = std::max(largest, radius);
     area += 2 * pi * (radius + margin) * (s.b - s.a).norm();
   }
-  if (!chain.segments.empty()) area += 4 * pi * (largest + margin) * (largest + margin);
+  // Ends without a point are rounded too.
+  if (chain.points.empty()) area += 4 * pi * (largest + margin) * (largest + margin);
   for (const PointPrimitive& p : chain.points) {
     area += 4 * pi * (p.radius + margin) * (p.radius + margin);
   }

@@ -1,0 +1,128 @@
+// The volume stages on a body read from a file: a line "ax ay az ra  bx by bz rb  part" a segment.
+//
+//     bench_volume bench/data/animal.txt [Google Benchmark's options]
+//
+// The argument after each name is the number of voxels along the longest side.
+
+#include <benchmark/benchmark.h>
+
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <sstream>
+#include <string>
+
+#include "lascaux/field/field.h"
+#include "lascaux/volume/check_mesh.h"
+#include "lascaux/volume/extract_mesh.h"
+#include "lascaux/volume/fidelity.h"
+#include "lascaux/volume/level_set.h"
+
+namespace {
+
+using namespace lascaux;
+
+Field g_field;
+
+Field ReadField(const std::string& path) {
+  Field field;
+  std::ifstream file(path);
+  std::map<std::string, std::size_t> index;
+  for (std::string line; std::getline(file, line);) {
+    Segment s;
+    std::string name;
+    std::istringstream words(line);
+    words >> s.a.x() >> s.a.y() >> s.a.z() >> s.radius_a;
+    words >> s.b.x() >> s.b.y() >> s.b.z() >> s.radius_b >> name;
+    if (!words) continue;
+    const auto [at, is_new] = index.try_emplace(name, field.parts.size());
+    if (is_new) {
+      field.parts.emplace_back().chains.emplace_back();
+      if (field.parts.size() > 1) field.parts.back().parent = 0;
+    }
+    field.parts[at->second].chains.front().segments.push_back(s);
+  }
+  return field;
+}
+
+double VoxelSize(const benchmark::State& state) {
+  return Bounds(g_field).sizes().maxCoeff() / static_cast<double>(state.range(0));
+}
+
+openvdb::FloatGrid::Ptr Grid(const benchmark::State& state) {
+  auto grid = Rasterise(g_field, {VoxelSize(state)});
+  return grid.ok() ? *grid : nullptr;
+}
+
+void BM_Rasterise(benchmark::State& state) {
+  std::int64_t active = 0;
+  for (auto _ : state) {
+    const auto grid = Grid(state);
+    if (grid == nullptr) return state.SkipWithError("no grid");
+    state.PauseTiming();
+    active = static_cast<std::int64_t>(grid->activeVoxelCount());
+    state.ResumeTiming();
+  }
+  state.counters["active"] = static_cast<double>(active);
+}
+
+void BM_ExtractMesh(benchmark::State& state) {
+  const auto grid = Grid(state);
+  if (grid == nullptr) return state.SkipWithError("no grid");
+  std::size_t triangles = 0;
+  for (auto _ : state) triangles = ExtractMesh(*grid)->triangles.size();
+  state.counters["triangles"] = static_cast<double>(triangles);
+}
+
+void BM_CheckMesh(benchmark::State& state) {
+  const auto grid = Grid(state);
+  if (grid == nullptr) return state.SkipWithError("no grid");
+  const Mesh mesh = *ExtractMesh(*grid);
+  for (auto _ : state) benchmark::DoNotOptimize(CheckMesh(mesh));
+}
+
+void BM_MeasureFidelity(benchmark::State& state) {
+  const auto grid = Grid(state);
+  if (grid == nullptr) return state.SkipWithError("no grid");
+  const Mesh mesh = *ExtractMesh(*grid);
+  const Eigen::AlignedBox3d box = Bounds(g_field);
+  const std::vector<std::vector<Eigen::Vector2d>> rings = {{{box.min().x(), box.min().y()},
+                                                            {box.max().x(), box.min().y()},
+                                                            {box.max().x(), box.max().y()},
+                                                            {box.min().x(), box.max().y()}}};
+  for (auto _ : state) benchmark::DoNotOptimize(MeasureFidelity(mesh, rings));
+}
+
+BENCHMARK(BM_Rasterise)
+    ->RangeMultiplier(2)
+    ->Range(128, 1024)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK(BM_ExtractMesh)
+    ->RangeMultiplier(2)
+    ->Range(128, 512)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK(BM_CheckMesh)
+    ->RangeMultiplier(2)
+    ->Range(128, 512)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK(BM_MeasureFidelity)->Arg(256)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (argc != 2) {
+    std::cerr << "usage: bench_volume FILE [--benchmark_...]\n";
+    return 2;
+  }
+  g_field = ReadField(argv[1]);
+  if (g_field.parts.empty()) {
+    std::cerr << argv[1] << ": no segments\n";
+    return 3;
+  }
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}
