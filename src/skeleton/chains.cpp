@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "skeleton/index.h"
 #include "skeleton/tree.h"
 
 namespace lascaux {
@@ -27,7 +28,7 @@ class ChainCutter {
   std::vector<Chain> Cut() {
     std::vector<Chain> chains;
     const int end = Farthest(0, tree_.vertices[0].radius).back();
-    Take(Farthest(end, tree_.vertices[end].radius), chains);
+    Take(Farthest(end, tree_.vertices[Index(end)].radius), chains);
     while (true) {
       std::vector<int> longest;
       double length = -1;
@@ -54,20 +55,21 @@ class ChainCutter {
     double best_length = -1;
     for (std::size_t head = 0; head < visits.size(); ++head) {
       const Visit visit = visits[head];
-      const double reached = visit.length + tree_.vertices[visit.vertex].radius;
+      const double reached = visit.length + tree_.vertices[Index(visit.vertex)].radius;
       if (head > 0 && reached > best_length) best_length = reached, best = head;
-      const int previous = visit.from < 0 ? -1 : visits[visit.from].vertex;
-      for (const int w : neighbours_[visit.vertex]) {
-        if (w == previous || on_chain_[w]) continue;
+      const int previous = visit.from < 0 ? -1 : visits[Index(visit.from)].vertex;
+      for (const int w : neighbours_[Index(visit.vertex)]) {
+        if (w == previous || on_chain_[Index(w)]) continue;
         const double step =
-            (tree_.vertices[w].position - tree_.vertices[visit.vertex].position).norm();
+            (tree_.vertices[Index(w)].position - tree_.vertices[Index(visit.vertex)].position)
+                .norm();
         visits.push_back({w, static_cast<int>(head), visit.length + step});
       }
     }
     length_ = best_length;
     std::vector<int> path;
-    for (int at = static_cast<int>(best); at >= 0; at = visits[at].from) {
-      path.push_back(visits[at].vertex);
+    for (int at = static_cast<int>(best); at >= 0; at = visits[Index(at)].from) {
+      path.push_back(visits[Index(at)].vertex);
     }
     std::reverse(path.begin(), path.end());
     return path;
@@ -76,8 +78,8 @@ class ChainCutter {
   void Take(const std::vector<int>& path, std::vector<Chain>& chains) {
     Chain chain;
     for (const int v : path) {
-      chain.vertices.push_back(tree_.vertices[v]);
-      on_chain_[v] = 1;
+      chain.vertices.push_back(tree_.vertices[Index(v)]);
+      on_chain_[Index(v)] = 1;
     }
     chains.push_back(std::move(chain));
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lascaux/sketch/bezier.h"
+#include "skeleton/index.h"
 #include "skeleton/ring.h"
 
 namespace lascaux {
@@ -31,7 +32,9 @@ struct Run {
 
 std::vector<Run> SharedRuns(const Outline& outline) {
   const int n = static_cast<int>(outline.points.size());
-  const auto shared = [&](int i) { return outline.kinds[(i + n) % n] == OutlineKind::kShared; };
+  const auto shared = [&](int i) {
+    return outline.kinds[Index((i + n) % n)] == OutlineKind::kShared;
+  };
   std::vector<Run> runs;
   for (int i = 0; i < n; ++i) {
     if (!shared(i) || shared(i - 1)) continue;
@@ -45,9 +48,9 @@ std::vector<Run> SharedRuns(const Outline& outline) {
 /// Point at distance `length` along the ring from vertex `from`, going by `step` (1 or -1).
 Vector2d Along(const Ring& ring, int from, int step, double length) {
   const int n = static_cast<int>(ring.size());
-  Vector2d here = ring[from];
+  Vector2d here = ring[Index(from)];
   for (int i = 1; i < n; ++i) {
-    const Vector2d& next = ring[((from + step * i) % n + n) % n];
+    const Vector2d& next = ring[Index(((from + step * i) % n + n) % n)];
     const double piece = (next - here).norm();
     if (piece >= length) return here + (next - here) * (length / piece);
     length -= piece;
@@ -83,7 +86,7 @@ std::optional<std::vector<Vector2d>> RoundEnd(const Outline& outline, const Run&
   const Ring& ring = outline.points;
   const int n = static_cast<int>(ring.size());
   const int last = (run.first + run.count) % n;
-  const Vector2d a = ring[run.first], b = ring[last];
+  const Vector2d a = ring[Index(run.first)], b = ring[Index(last)];
   const double width = (b - a).norm();
   if (width <= tolerance) return std::nullopt;
   // The ring has positive shoelace area, so the outside is to the right of the direction of travel.
@@ -91,7 +94,7 @@ std::optional<std::vector<Vector2d>> RoundEnd(const Outline& outline, const Run&
   const Vector2d inward(chord.y(), -chord.x());
   double depth = 0;
   for (int i = 0; i <= run.count; ++i) {
-    depth = std::max(depth, (ring[(run.first + i) % n] - a).dot(inward));
+    depth = std::max(depth, (ring[Index((run.first + i) % n)] - a).dot(inward));
   }
   const double window = kTangentWindow * width;
   const Vector2d ta = Arrival(Along(ring, run.first, -1, window), a, inward);
@@ -112,17 +115,18 @@ std::optional<std::vector<Vector2d>> RoundEnd(const Outline& outline, const Run&
 
 Outline ExtendInto(const Outline& outline, const Outline& parent, double tolerance) {
   const int n = static_cast<int>(outline.points.size());
-  std::vector<std::vector<Vector2d>> ends(n);
-  std::vector<int> skip(n, 0);
+  std::vector<std::vector<Vector2d>> ends(Index(n));
+  std::vector<int> skip(Index(n), 0);
   for (const Run& run : SharedRuns(outline)) {
     if (run.count >= n) continue;
     const int middle = (run.first + run.count / 2) % n;
-    const Vector2d at = (outline.points[middle] + outline.points[(middle + run.count % 2) % n]) / 2;
+    const Vector2d at =
+        (outline.points[Index(middle)] + outline.points[Index((middle + run.count % 2) % n)]) / 2;
     if (NearestOnRing(parent.points, at).distance > tolerance) continue;
     std::optional<std::vector<Vector2d>> end = RoundEnd(outline, run, parent, tolerance);
     if (!end) continue;
-    ends[run.first] = std::move(*end);
-    skip[run.first] = run.count;
+    ends[Index(run.first)] = std::move(*end);
+    skip[Index(run.first)] = run.count;
   }
   Outline extended;
   const int start =
@@ -131,23 +135,24 @@ Outline ExtendInto(const Outline& outline, const Outline& parent, double toleran
                        outline.kinds.begin());
   for (int k = 0; k < n;) {
     const int i = (start + k) % n;
-    extended.points.push_back(outline.points[i]);
-    extended.kinds.push_back(skip[i] > 0 ? OutlineKind::kCompletion : outline.kinds[i]);
-    for (const Vector2d& p : ends[i]) {
+    extended.points.push_back(outline.points[Index(i)]);
+    extended.kinds.push_back(skip[Index(i)] > 0 ? OutlineKind::kCompletion
+                                                : outline.kinds[Index(i)]);
+    for (const Vector2d& p : ends[Index(i)]) {
       extended.points.push_back(p);
       extended.kinds.push_back(OutlineKind::kCompletion);
     }
-    k += std::max(1, skip[i]);
+    k += std::max(1, skip[Index(i)]);
   }
   return extended;
 }
 
 Outline OutlineToFill(const Parts& parts, int part, int parent) {
-  const Part& child = parts.parts[part];
+  const Part& child = parts.parts[Index(part)];
   if (child.over || child.kind == PartKind::kIsland) return child.outline;
   const Outline& outline = child.outline;
-  return ExtendInto(outline, parts.parts[parent].outline,
-                    kTolerance * Diagonal(parts.parts[parent].outline.points));
+  return ExtendInto(outline, parts.parts[Index(parent)].outline,
+                    kTolerance * Diagonal(parts.parts[Index(parent)].outline.points));
 }
 
 }  // namespace lascaux

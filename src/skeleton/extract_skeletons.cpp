@@ -10,6 +10,7 @@
 #include "lascaux/skeleton/skeleton.h"
 #include "skeleton/built_parts.h"
 #include "skeleton/extend_outline.h"
+#include "skeleton/index.h"
 #include "skeleton/medial_axis.h"
 #include "skeleton/ring.h"
 #include "skeleton/scale_axis.h"
@@ -78,9 +79,9 @@ std::optional<Skeleton> SkeletonOf(const Outline& outline, double spacing,
 std::vector<char> BuiltParts(const DepthGraph& graph) {
   std::vector<char> built(graph.nodes.size(), 0);
   for (const int part : graph.order) {
-    const DepthNode& node = graph.nodes[part];
+    const DepthNode& node = graph.nodes[Index(part)];
     if (node.role == PartRole::kBackground || node.role == PartRole::kIgnored) continue;
-    built[part] = !node.parent || built[*node.parent] ? 1 : 0;
+    built[Index(part)] = !node.parent || built[Index(*node.parent)] ? 1 : 0;
   }
   return built;
 }
@@ -117,9 +118,9 @@ Outcome<std::vector<Skeleton>> ExtractSkeletons(const Parts& parts, const DepthG
   arena.execute([&] {
     tbb::parallel_for(std::size_t{0}, todo.size(), [&](std::size_t i) {
       const int part = todo[i];
-      const std::optional<int> parent = graph.nodes[part].parent;
+      const std::optional<int> parent = graph.nodes[Index(part)].parent;
       const Outline outline =
-          parent ? OutlineToFill(parts, part, *parent) : parts.parts[part].outline;
+          parent ? OutlineToFill(parts, part, *parent) : parts.parts[Index(part)].outline;
       found[i] = SkeletonOf(outline, spacing, options);
       if (found[i]) found[i]->part = part;
     });
@@ -129,8 +130,8 @@ Outcome<std::vector<Skeleton>> ExtractSkeletons(const Parts& parts, const DepthG
     if (found[i]) {
       skeletons.push_back(std::move(*found[i]));
     } else {
-      diagnostics.push_back(
-          DegenerateOutline(todo[i], graph.nodes[todo[i]], parts.parts[todo[i]].outline.points));
+      diagnostics.push_back(DegenerateOutline(todo[i], graph.nodes[Index(todo[i])],
+                                              parts.parts[Index(todo[i])].outline.points));
     }
   }
   if (HasError(diagnostics)) {

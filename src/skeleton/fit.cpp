@@ -7,14 +7,15 @@
 
 #include "skeleton/extend_outline.h"
 #include "skeleton/fit_part.h"
+#include "skeleton/index.h"
 
 namespace lascaux {
 namespace {
 
 Outline OutlineOf(const Parts& parts, const Creature& creature, std::size_t index) {
   const CreaturePart& part = creature.parts[index];
-  if (!part.parent) return parts.parts[part.part].outline;
-  return OutlineToFill(parts, part.part, creature.parts[*part.parent].part);
+  if (!part.parent) return parts.parts[Index(part.part)].outline;
+  return OutlineToFill(parts, part.part, creature.parts[Index(*part.parent)].part);
 }
 
 }  // namespace

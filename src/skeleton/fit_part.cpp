@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lascaux/field/field.h"
+#include "skeleton/index.h"
 #include "skeleton/planar_field.h"
 #include "skeleton/ring.h"
 
@@ -83,7 +84,7 @@ class Model {
   }
   int unknowns() const { return 3 * static_cast<int>(radii_.size()); }
   /// What an unknown is multiplied by to be the field's.
-  double Scale(int index) const { return index % 3 == 0 ? 1.0 : radii_[index / 3]; }
+  double Scale(int index) const { return index % 3 == 0 ? 1.0 : radii_[Index(index / 3)]; }
 
   std::vector<Chain> At(const VectorXd& x) const {
     std::vector<Chain> chains = start_;

@@ -5,6 +5,7 @@
 #include "lascaux/skeleton/creature.h"
 #include "skeleton/built_parts.h"
 #include "skeleton/chains.h"
+#include "skeleton/index.h"
 
 namespace lascaux {
 namespace {
@@ -51,7 +52,8 @@ Field MakeField(const Creature& creature, const ModelFrame& frame, double blend_
     const auto add = [&](double side) {
       FieldPart image = MakeFieldPart(part, frame, side);
       if (part.parent)
-        image.parent = side > 0 ? images[*part.parent].first : images[*part.parent].second;
+        image.parent =
+            side > 0 ? images[Index(*part.parent)].first : images[Index(*part.parent)].second;
       field.parts.push_back(std::move(image));
       return static_cast<int>(field.parts.size()) - 1;
     };

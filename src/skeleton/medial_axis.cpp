@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "skeleton/index.h"
+
 namespace lascaux {
 namespace {
 
@@ -27,15 +29,15 @@ constexpr double kWeld = 0.02;
 
 class DisjointSets {
  public:
-  explicit DisjointSets(int n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
+  explicit DisjointSets(int n) : parent_(Index(n)) { std::iota(parent_.begin(), parent_.end(), 0); }
   int Find(int i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    while (parent_[Index(i)] != i) i = parent_[Index(i)] = parent_[Index(parent_[Index(i)])];
     return i;
   }
   bool Unite(int a, int b) {
     a = Find(a), b = Find(b);
     if (a == b) return false;
-    parent_[std::max(a, b)] = std::min(a, b);
+    parent_[Index(std::max(a, b))] = std::min(a, b);
     return true;
   }
 
@@ -112,7 +114,7 @@ Graph DualGraph(const Ring& ring) {
       graph.edges.push_back({index_of(edge.vertex0()), index_of(edge.vertex1())});
     } else {
       const auto* end = edge.vertex0() != nullptr ? edge.vertex0() : edge.vertex1();
-      if (end != nullptr) graph.touches_infinity[index_of(end)] = 1;
+      if (end != nullptr) graph.touches_infinity[Index(index_of(end))] = 1;
     }
   }
   return graph;
@@ -127,18 +129,19 @@ bool IsSeparated(const Graph& graph) {
 /// outside: no geometry is asked, so nothing can be rounded wrong.
 std::vector<char> InsideMask(const Graph& graph, const Ring& ring) {
   const int m = static_cast<int>(graph.discs.size());
-  std::vector<char> inside(m, 1);
+  std::vector<char> inside(Index(m), 1);
   if (!IsSeparated(graph)) {
-    for (int v = 0; v < m; ++v) inside[v] = Contains(ring, graph.discs[v].position) ? 1 : 0;
+    for (int v = 0; v < m; ++v)
+      inside[Index(v)] = Contains(ring, graph.discs[Index(v)].position) ? 1 : 0;
     return inside;
   }
   DisjointSets sets(m);
   for (const auto& [a, b] : graph.edges) sets.Unite(a, b);
-  std::vector<char> outside_root(m, 0);
+  std::vector<char> outside_root(Index(m), 0);
   for (int v = 0; v < m; ++v) {
-    if (graph.touches_infinity[v]) outside_root[sets.Find(v)] = 1;
+    if (graph.touches_infinity[Index(v)]) outside_root[Index(sets.Find(v))] = 1;
   }
-  for (int v = 0; v < m; ++v) inside[v] = outside_root[sets.Find(v)] ? 0 : 1;
+  for (int v = 0; v < m; ++v) inside[Index(v)] = outside_root[Index(sets.Find(v))] ? 0 : 1;
   return inside;
 }
 
@@ -149,7 +152,8 @@ std::vector<int> CutsForWidth(const Ring& ring, const Graph& graph,
   const std::size_t n = ring.size();
   std::vector<double> reach(n, 0);
   for (const auto& [disc, site] : graph.touches) {
-    if (inside[disc]) reach[site] = std::max(reach[site], graph.discs[disc].radius);
+    if (inside[Index(disc)])
+      reach[Index(site)] = std::max(reach[Index(site)], graph.discs[Index(disc)].radius);
   }
   std::vector<int> cuts(n, 1);
   for (std::size_t i = 0; i < n; ++i) {
@@ -189,15 +193,16 @@ std::vector<std::array<int, 2>> SpanningForest(const Graph& graph,
   std::vector<std::pair<double, int>> order;
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
     const auto& [a, b] = graph.edges[e];
-    if (!inside[a] || !inside[b]) continue;
-    order.emplace_back(-std::min(graph.discs[a].radius, graph.discs[b].radius),
+    if (!inside[Index(a)] || !inside[Index(b)]) continue;
+    order.emplace_back(-std::min(graph.discs[Index(a)].radius, graph.discs[Index(b)].radius),
                        static_cast<int>(e));
   }
   std::sort(order.begin(), order.end());
   DisjointSets sets(static_cast<int>(graph.discs.size()));
   std::vector<std::array<int, 2>> forest;
   for (const auto& [width, e] : order) {
-    if (sets.Unite(graph.edges[e][0], graph.edges[e][1])) forest.push_back(graph.edges[e]);
+    if (sets.Unite(graph.edges[Index(e)][0], graph.edges[Index(e)][1]))
+      forest.push_back(graph.edges[Index(e)]);
   }
   return forest;
 }
@@ -207,24 +212,26 @@ std::vector<std::array<int, 2>> SpanningForest(const Graph& graph,
 Skeleton TreeFrom(const Graph& graph, const std::vector<std::array<int, 2>>& forest, int root,
                   double weld) {
   std::vector<std::vector<int>> neighbours(graph.discs.size());
-  for (const auto& [a, b] : forest) neighbours[a].push_back(b), neighbours[b].push_back(a);
+  for (const auto& [a, b] : forest)
+    neighbours[Index(a)].push_back(b), neighbours[Index(b)].push_back(a);
   Skeleton tree;
   std::vector<int> image(graph.discs.size(), -1);
   std::vector<int> queue{root};
-  tree.vertices.push_back(graph.discs[root]);
-  image[root] = 0;
+  tree.vertices.push_back(graph.discs[Index(root)]);
+  image[Index(root)] = 0;
   for (std::size_t head = 0; head < queue.size(); ++head) {
     const int v = queue[head];
-    for (const int w : neighbours[v]) {
-      if (image[w] >= 0) continue;
+    for (const int w : neighbours[Index(v)]) {
+      if (image[Index(w)] >= 0) continue;
       queue.push_back(w);
-      if ((graph.discs[w].position - tree.vertices[image[v]].position).norm() < weld) {
-        image[w] = image[v];
+      if ((graph.discs[Index(w)].position - tree.vertices[Index(image[Index(v)])].position).norm() <
+          weld) {
+        image[Index(w)] = image[Index(v)];
         continue;
       }
-      image[w] = static_cast<int>(tree.vertices.size());
-      tree.vertices.push_back(graph.discs[w]);
-      tree.edges.push_back({image[v], image[w]});
+      image[Index(w)] = static_cast<int>(tree.vertices.size());
+      tree.vertices.push_back(graph.discs[Index(w)]);
+      tree.edges.push_back({image[Index(v)], image[Index(w)]});
     }
   }
   return tree;
@@ -251,7 +258,9 @@ Skeleton MedialAxis(const Ring& outline) {
   }
   int root = -1;
   for (int v = 0; v < static_cast<int>(graph.discs.size()); ++v) {
-    if (inside[v] && (root < 0 || graph.discs[v].radius > graph.discs[root].radius)) root = v;
+    if (inside[Index(v)] &&
+        (root < 0 || graph.discs[Index(v)].radius > graph.discs[Index(root)].radius))
+      root = v;
   }
   if (root < 0) return {};
   const double piece = Perimeter(ring) / static_cast<double>(ring.size());

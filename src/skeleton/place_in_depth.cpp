@@ -9,6 +9,7 @@
 #include "lascaux/skeleton/creature.h"
 #include "skeleton/built_parts.h"
 #include "skeleton/chains.h"
+#include "skeleton/index.h"
 #include "skeleton/ring.h"
 
 namespace lascaux {
@@ -157,21 +158,21 @@ class Placer {
 
   Outcome<Creature> Place(const std::vector<Skeleton>& skeletons) {
     std::vector<const Skeleton*> skeleton_of(parts_.parts.size(), nullptr);
-    for (const Skeleton& s : skeletons) skeleton_of[s.part] = &s;
+    for (const Skeleton& s : skeletons) skeleton_of[Index(s.part)] = &s;
     const std::vector<char> built = BuiltParts(graph_);
     std::vector<int> index_of(parts_.parts.size(), -1);
     for (const int part : graph_.order) {
-      if (!built[part] || skeleton_of[part] == nullptr) continue;
+      if (!built[Index(part)] || skeleton_of[Index(part)] == nullptr) continue;
       CreaturePart made;
       made.part = part;
-      for (const Chain& chain : CutIntoChains(*skeleton_of[part])) {
+      for (const Chain& chain : CutIntoChains(*skeleton_of[Index(part)])) {
         made.chains.push_back(Refined(chain));
       }
-      const std::optional<int> parent = graph_.nodes[part].parent;
-      if (parent && index_of[*parent] >= 0) made.parent = index_of[*parent];
+      const std::optional<int> parent = graph_.nodes[Index(part)].parent;
+      if (parent && index_of[Index(*parent)] >= 0) made.parent = index_of[Index(*parent)];
       if (part == graph_.body) made.depth_scale = options_.torso_depth;
-      if (made.parent) PlaceOn(creature_.parts[*made.parent], made);
-      index_of[part] = static_cast<int>(creature_.parts.size());
+      if (made.parent) PlaceOn(creature_.parts[Index(*made.parent)], made);
+      index_of[Index(part)] = static_cast<int>(creature_.parts.size());
       creature_.parts.push_back(std::move(made));
     }
     return {std::move(creature_), std::move(diagnostics_)};
@@ -180,7 +181,7 @@ class Placer {
  private:
   void PlaceOn(const CreaturePart& parent, CreaturePart& part) {
     const PartSurface surface(parent);
-    const PartRole role = graph_.nodes[part.part].role;
+    const PartRole role = graph_.nodes[Index(part.part)].role;
     part.mirrored = parent.mirrored || role == PartRole::kForeground || role == PartRole::kIsland;
     part.z = parent.z;
     if (role == PartRole::kForeground) part.z = LimbDepth(parent, surface, part);
@@ -198,8 +199,8 @@ class Placer {
 
   double LimbDepth(const CreaturePart& parent, const PartSurface& surface,
                    const CreaturePart& limb) {
-    const Ring& outline = parts_.parts[parent.part].outline.points;
-    const SkeletonVertex top = TopOf(limb, parts_.parts[limb.part], outline);
+    const Ring& outline = parts_.parts[Index(parent.part)].outline.points;
+    const SkeletonVertex top = TopOf(limb, parts_.parts[Index(limb.part)], outline);
     const std::optional<double> front = surface.Front(top.position);
     const double hit = front.value_or(surface.z());
     // Where the ray misses, the nearest outline point's normal lies in the plane: no share of it
@@ -229,7 +230,9 @@ class Placer {
     return *front - kIslandDepth * disc.radius * surface.Facing(disc.position, *front);
   }
 
-  const std::string& NameOf(const CreaturePart& part) const { return graph_.nodes[part.part].name; }
+  const std::string& NameOf(const CreaturePart& part) const {
+    return graph_.nodes[Index(part.part)].name;
+  }
 
   const Parts& parts_;
   const DepthGraph& graph_;

@@ -6,6 +6,7 @@
 
 #include "lascaux/field/primitives.h"
 #include "skeleton/chains.h"
+#include "skeleton/index.h"
 
 namespace lascaux {
 namespace {
@@ -134,19 +135,20 @@ PlanarField::PlanarField(const std::vector<Chain>& chains) {
       end.neighbour = i == 0 ? 1 : i - 1;
       end.direction = EndDirection(chain, static_cast<std::size_t>(i));
       const double length =
-          (chain.vertices[i].position - chain.vertices[end.neighbour].position).norm();
-      const double shift = kCapShift * line.radii[i];
+          (chain.vertices[Index(i)].position - chain.vertices[Index(end.neighbour)].position)
+              .norm();
+      const double shift = kCapShift * line.radii[Index(i)];
       if (length > 0) {
         end.turn =
             shift / length * (Matrix2d::Identity() - end.direction * end.direction.transpose());
       }
-      line.positions[i] += shift * end.direction;
+      line.positions[Index(i)] += shift * end.direction;
       line.ends.push_back(end);
     }
     for (const Vector2d& p : line.positions) line.center += p / n;
     for (int i = 0; i < n; ++i) {
-      line.reach = std::max(
-          line.reach, (line.positions[i] - line.center).norm() + kSupportRadii * line.radii[i]);
+      line.reach = std::max(line.reach, (line.positions[Index(i)] - line.center).norm() +
+                                            kSupportRadii * line.radii[Index(i)]);
     }
     lines_.push_back(std::move(line));
   }
@@ -157,27 +159,29 @@ double PlanarField::AddPolyline(const Polyline& line, const Vector2d& point, Pla
   pulls_.assign(static_cast<std::size_t>(n), {});
   double value = 0;
   const auto add_point = [&](int vertex, double share, double weight) {
-    const PointSample s =
-        SamplePoint({line.positions[vertex], share * line.radii[vertex]}, weight, point);
+    const PointSample s = SamplePoint(
+        {line.positions[Index(vertex)], share * line.radii[Index(vertex)]}, weight, point);
     value += s.value;
-    pulls_[vertex].position += s.by_center;
-    pulls_[vertex].radius += share * s.by_radius;
+    pulls_[Index(vertex)].position += s.by_center;
+    pulls_[Index(vertex)].radius += share * s.by_radius;
   };
   if (n == 1) add_point(0, 1, 1);
   for (const End& end : line.ends) add_point(end.vertex, kCapRadius, kCapWeight);
   for (int i = 0; i + 1 < n; ++i) {
-    const int a = line.radii[i] >= line.radii[i + 1] ? i : i + 1, b = 2 * i + 1 - a;
-    const double reach = kSupportRadii * line.radii[a];
-    const Vector2d low = line.positions[i].cwiseMin(line.positions[i + 1]).array() - reach;
-    const Vector2d high = line.positions[i].cwiseMax(line.positions[i + 1]).array() + reach;
+    const int a = line.radii[Index(i)] >= line.radii[Index(i + 1)] ? i : i + 1, b = 2 * i + 1 - a;
+    const double reach = kSupportRadii * line.radii[Index(a)];
+    const Vector2d low =
+        line.positions[Index(i)].cwiseMin(line.positions[Index(i + 1)]).array() - reach;
+    const Vector2d high =
+        line.positions[Index(i)].cwiseMax(line.positions[Index(i + 1)]).array() + reach;
     if ((point.array() < low.array()).any() || (point.array() > high.array()).any()) continue;
-    const SegmentSample s = SampleSegment({line.positions[a], line.radii[a]},
-                                          {line.positions[b], line.radii[b]}, point);
+    const SegmentSample s = SampleSegment({line.positions[Index(a)], line.radii[Index(a)]},
+                                          {line.positions[Index(b)], line.radii[Index(b)]}, point);
     value += s.value;
-    pulls_[a].position += s.by_a;
-    pulls_[a].radius += s.by_radius_a;
-    pulls_[b].position += s.by_b;
-    pulls_[b].radius += s.by_radius_b;
+    pulls_[Index(a)].position += s.by_a;
+    pulls_[Index(a)].radius += s.by_radius_a;
+    pulls_[Index(b)].position += s.by_b;
+    pulls_[Index(b)].radius += s.by_radius_b;
   }
   Vector2d gradient = Vector2d::Zero();
   for (const Pull& pull : pulls_) gradient -= pull.position;
@@ -189,19 +193,20 @@ double PlanarField::AddPolyline(const Polyline& line, const Vector2d& point, Pla
   std::array<std::pair<int, Vector2d>, 2> passed_on;
   std::size_t count = 0;
   for (const End& end : line.ends) {
-    Pull& pull = pulls[end.vertex];
+    Pull& pull = pulls[Index(end.vertex)];
     const Vector2d turned = end.turn * pull.position;
     pull.radius += kCapShift * end.direction.dot(pull.position);
     pull.position += turned;
     passed_on[count++] = {end.neighbour, -turned};
   }
-  for (std::size_t k = 0; k < count; ++k) pulls[passed_on[k].first].position += passed_on[k].second;
+  for (std::size_t k = 0; k < count; ++k)
+    pulls[Index(passed_on[k].first)].position += passed_on[k].second;
   for (int i = 0; i < n; ++i) {
-    if (pulls[i].radius == 0 && pulls[i].position.isZero(0)) continue;
+    if (pulls[Index(i)].radius == 0 && pulls[Index(i)].position.isZero(0)) continue;
     const int index = 3 * (line.first + i);
-    sample.derivatives.emplace_back(index, pulls[i].radius * line.radii[i]);
-    sample.derivatives.emplace_back(index + 1, pulls[i].position.x());
-    sample.derivatives.emplace_back(index + 2, pulls[i].position.y());
+    sample.derivatives.emplace_back(index, pulls[Index(i)].radius * line.radii[Index(i)]);
+    sample.derivatives.emplace_back(index + 1, pulls[Index(i)].position.x());
+    sample.derivatives.emplace_back(index + 2, pulls[Index(i)].position.y());
   }
   return value;
 }

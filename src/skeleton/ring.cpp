@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "skeleton/index.h"
+
 namespace lascaux {
 namespace {
 
@@ -26,8 +28,9 @@ std::vector<int> Anchors(const Outline& outline) {
   std::vector<int> anchors;
   for (int i = 0; i < n; ++i) {
     const int before = (i + n - 1) % n;
-    if (outline.kinds[i] != outline.kinds[before] ||
-        IsCorner(outline.points[before], outline.points[i], outline.points[(i + 1) % n])) {
+    if (outline.kinds[Index(i)] != outline.kinds[Index(before)] ||
+        IsCorner(outline.points[Index(before)], outline.points[Index(i)],
+                 outline.points[Index((i + 1) % n)])) {
       anchors.push_back(i);
     }
   }
@@ -90,7 +93,9 @@ std::vector<OutlineSample> SampleOutline(const Outline& outline, double spacing)
     const int first = anchors[k];
     const int next = anchors[(k + 1) % anchors.size()];
     const int pieces = next > first ? next - first : next - first + n;
-    const auto at = [&](int i) -> const Vector2d& { return outline.points[(first + i) % n]; };
+    const auto at = [&](int i) -> const Vector2d& {
+      return outline.points[Index((first + i) % n)];
+    };
     double length = 0;
     for (int i = 0; i < pieces; ++i) length += (at(i + 1) - at(i)).norm();
     const int count = std::max(1, static_cast<int>(std::ceil(length / spacing)));
@@ -105,7 +110,7 @@ std::vector<OutlineSample> SampleOutline(const Outline& outline, double spacing)
         step = (at(piece + 1) - at(piece)).norm();
       }
       const double t = step > 0 ? std::clamp((target - passed) / step, 0.0, 1.0) : 0.0;
-      samples.push_back({at(piece) + t * (at(piece + 1) - at(piece)), outline.kinds[first]});
+      samples.push_back({at(piece) + t * (at(piece + 1) - at(piece)), outline.kinds[Index(first)]});
     }
   }
   return samples;

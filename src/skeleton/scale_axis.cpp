@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "skeleton/index.h"
 #include "skeleton/tree.h"
 
 namespace lascaux {
@@ -39,10 +40,10 @@ class Peeler {
     // A leaf that shows once shows for ever, so each is asked once.
     for (std::size_t head = 0; head < leaves.size(); ++head) {
       const int leaf = leaves[head];
-      if (degree_[leaf] != 1 || !(CoveredNearby(leaf) || CoveredByUnion(leaf))) continue;
-      alive_[leaf] = 0;
-      for (const int w : neighbours_[leaf]) {
-        if (alive_[w] && --degree_[w] == 1) leaves.push_back(w);
+      if (degree_[Index(leaf)] != 1 || !(CoveredNearby(leaf) || CoveredByUnion(leaf))) continue;
+      alive_[Index(leaf)] = 0;
+      for (const int w : neighbours_[Index(leaf)]) {
+        if (alive_[Index(w)] && --degree_[Index(w)] == 1) leaves.push_back(w);
       }
     }
     return alive_;
@@ -50,20 +51,20 @@ class Peeler {
 
  private:
   bool Covers(int by, int disc) const {
-    const double room = scale_ * (axis_.vertices[by].radius - axis_.vertices[disc].radius);
-    return room >= 0 &&
-           (axis_.vertices[by].position - axis_.vertices[disc].position).squaredNorm() <=
-               room * room;
+    const double room =
+        scale_ * (axis_.vertices[Index(by)].radius - axis_.vertices[Index(disc)].radius);
+    return room >= 0 && (axis_.vertices[Index(by)].position - axis_.vertices[Index(disc)].position)
+                                .squaredNorm() <= room * room;
   }
 
   bool CoveredNearby(int leaf) {
     std::vector<int> queue{leaf};
-    mark_[leaf] = leaf;
+    mark_[Index(leaf)] = leaf;
     for (std::size_t head = 0; head < queue.size() && head < kNearbyDiscs; ++head) {
-      for (const int w : neighbours_[queue[head]]) {
-        if (!alive_[w] || mark_[w] == leaf) continue;
+      for (const int w : neighbours_[Index(queue[head])]) {
+        if (!alive_[Index(w)] || mark_[Index(w)] == leaf) continue;
         if (Covers(w, leaf)) return true;
-        mark_[w] = leaf;
+        mark_[Index(w)] = leaf;
         queue.push_back(w);
       }
     }
@@ -72,7 +73,7 @@ class Peeler {
 
   /// Exact: the arcs of the leaf's circle that lie in other discs cover the circle.
   bool CoveredByUnion(int leaf) const {
-    const SkeletonVertex& disc = axis_.vertices[leaf];
+    const SkeletonVertex& disc = axis_.vertices[Index(leaf)];
     const double radius = scale_ * disc.radius;
     std::vector<std::pair<double, double>> arcs;
     for (std::size_t v = 0; v < axis_.vertices.size(); ++v) {

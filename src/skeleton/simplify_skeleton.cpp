@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "skeleton/index.h"
 #include "skeleton/tree.h"
 
 namespace lascaux {
@@ -41,14 +42,16 @@ Contour ContourOf(const Skeleton& axis, const std::vector<int>& path, const Tole
   const int n = static_cast<int>(path.size());
   Contour contour;
   for (int i = 0; i < n; ++i) {
-    const SkeletonVertex& disc = axis.vertices[path[i]];
+    const SkeletonVertex& disc = axis.vertices[Index(path[Index(i)])];
     int before = i, after = i;
     const auto far = [&](int j) {
-      return (axis.vertices[path[j]].position - disc.position).norm() > kSlopeWindow * disc.radius;
+      return (axis.vertices[Index(path[Index(j)])].position - disc.position).norm() >
+             kSlopeWindow * disc.radius;
     };
     while (before > 0 && !far(before)) --before;
     while (after + 1 < n && !far(after)) ++after;
-    const SkeletonVertex &a = axis.vertices[path[before]], &b = axis.vertices[path[after]];
+    const SkeletonVertex &a = axis.vertices[Index(path[Index(before)])],
+                         &b = axis.vertices[Index(path[Index(after)])];
     const double length = (b.position - a.position).norm();
     Vector2d along = Vector2d::UnitX();
     double slope = 0;
@@ -78,22 +81,22 @@ class PathSimplifier {
 
   std::vector<int> Run() {
     const int n = static_cast<int>(path_.size());
-    for (int i = 0; i < n; ++i) before_[i] = i - 1, after_[i] = i + 1;
+    for (int i = 0; i < n; ++i) before_[Index(i)] = i - 1, after_[Index(i)] = i + 1;
     for (int i = 1; i + 1 < n; ++i) Push(i);
     while (!queue_.empty()) {
       const Entry top = queue_.top();
       queue_.pop();
-      if (top.version != version_[top.index]) continue;
+      if (top.version != version_[Index(top.index)]) continue;
       if (top.cost > 1) break;
-      const int a = before_[top.index], c = after_[top.index];
-      version_[top.index] = -1;
-      after_[a] = c;
-      before_[c] = a;
+      const int a = before_[Index(top.index)], c = after_[Index(top.index)];
+      version_[Index(top.index)] = -1;
+      after_[Index(a)] = c;
+      before_[Index(c)] = a;
       if (a > 0) Push(a);
       if (c + 1 < n) Push(c);
     }
     std::vector<int> kept;
-    for (int i = 0; i < n; i = after_[i]) kept.push_back(path_[i]);
+    for (int i = 0; i < n; i = after_[Index(i)]) kept.push_back(path_[Index(i)]);
     return kept;
   }
 
@@ -106,16 +109,17 @@ class PathSimplifier {
     }
   };
 
-  void Push(int i) { queue_.push({Cost(i), i, ++version_[i]}); }
+  void Push(int i) { queue_.push({Cost(i), i, ++version_[Index(i)]}); }
 
   /// In tolerances.
   double Cost(int i) const {
-    const SkeletonVertex& a = axis_.vertices[path_[before_[i]]];
-    const SkeletonVertex& c = axis_.vertices[path_[after_[i]]];
+    const SkeletonVertex& a = axis_.vertices[Index(path_[Index(before_[Index(i)])])];
+    const SkeletonVertex& c = axis_.vertices[Index(path_[Index(after_[Index(i)])])];
     double worst = 0;
-    for (int k = before_[i]; k <= after_[i]; ++k) {
-      for (const Vector2d& side : contour_.sides[k]) {
-        worst = std::max(worst, std::abs(DistanceToCone(a, c, side)) / contour_.tolerance[k]);
+    for (int k = before_[Index(i)]; k <= after_[Index(i)]; ++k) {
+      for (const Vector2d& side : contour_.sides[Index(k)]) {
+        worst =
+            std::max(worst, std::abs(DistanceToCone(a, c, side)) / contour_.tolerance[Index(k)]);
       }
     }
     return worst;
@@ -139,14 +143,14 @@ double MedianRadius(const Skeleton& axis) {
 /// How far the discs of a leaf's path reach out of the discs that are not on it.
 double Protrusion(const Skeleton& axis, const std::vector<int>& path, double enough) {
   std::vector<char> on_path(axis.vertices.size(), 0);
-  for (const int v : path) on_path[v] = 1;
-  on_path[path.back()] = 0;
+  for (const int v : path) on_path[Index(v)] = 1;
+  on_path[Index(path.back())] = 0;
   double worst = 0;
   for (const int v : path) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t w = 0; w < axis.vertices.size() && least > worst; ++w) {
       if (on_path[w]) continue;
-      const SkeletonVertex &disc = axis.vertices[v], &other = axis.vertices[w];
+      const SkeletonVertex &disc = axis.vertices[Index(v)], &other = axis.vertices[w];
       least = std::min(least, (disc.position - other.position).norm() + disc.radius - other.radius);
     }
     worst = std::max(worst, least);
@@ -162,14 +166,15 @@ Skeleton WithoutStubs(Skeleton axis, double limit) {
     double least = limit;
     std::vector<int> stub;
     for (std::vector<int>& path : Paths(axis)) {
-      if (neighbours[path.front()].size() != 1) std::reverse(path.begin(), path.end());
-      if (neighbours[path.front()].size() != 1 || neighbours[path.back()].size() == 1) continue;
+      if (neighbours[Index(path.front())].size() != 1) std::reverse(path.begin(), path.end());
+      if (neighbours[Index(path.front())].size() != 1 || neighbours[Index(path.back())].size() == 1)
+        continue;
       const double reach = Protrusion(axis, path, least);
       if (reach <= least) least = reach, stub = path;
     }
     if (stub.empty()) return axis;
     std::vector<char> keep(axis.vertices.size(), 1);
-    for (std::size_t i = 0; i + 1 < stub.size(); ++i) keep[stub[i]] = 0;
+    for (std::size_t i = 0; i + 1 < stub.size(); ++i) keep[Index(stub[i])] = 0;
     axis = Subtree(axis, keep);
   }
 }
@@ -215,7 +220,7 @@ Skeleton Simplify(const Skeleton& full, double tolerance) {
   std::vector<std::vector<int>> paths = Paths(axis);
   for (std::vector<int>& path : paths) {
     path = PathSimplifier(axis, path, ContourOf(axis, path, {tolerance, median})).Run();
-    for (const int v : path) keep[v] = 1;
+    for (const int v : path) keep[Index(v)] = 1;
   }
   if (paths.empty()) return axis;
   Skeleton simple = Subtree(axis, keep);
@@ -226,7 +231,7 @@ Skeleton Simplify(const Skeleton& full, double tolerance) {
   simple.edges.clear();
   for (const std::vector<int>& path : paths) {
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-      simple.edges.push_back({image[path[i]], image[path[i + 1]]});
+      simple.edges.push_back({image[Index(path[i])], image[Index(path[i + 1])]});
     }
   }
   return CollapsedToDisc(std::move(simple));

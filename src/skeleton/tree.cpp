@@ -1,12 +1,14 @@
 #include "skeleton/tree.h"
 
+#include "skeleton/index.h"
+
 namespace lascaux {
 
 std::vector<std::vector<int>> Neighbours(const Skeleton& tree) {
   std::vector<std::vector<int>> neighbours(tree.vertices.size());
   for (const auto& [a, b] : tree.edges) {
-    neighbours[a].push_back(b);
-    neighbours[b].push_back(a);
+    neighbours[Index(a)].push_back(b);
+    neighbours[Index(b)].push_back(a);
   }
   return neighbours;
 }
@@ -21,7 +23,8 @@ Skeleton Subtree(const Skeleton& tree, const std::vector<char>& keep) {
     result.vertices.push_back(tree.vertices[v]);
   }
   for (const auto& [a, b] : tree.edges) {
-    if (image[a] >= 0 && image[b] >= 0) result.edges.push_back({image[a], image[b]});
+    if (image[Index(a)] >= 0 && image[Index(b)] >= 0)
+      result.edges.push_back({image[Index(a)], image[Index(b)]});
   }
   return result;
 }
@@ -33,8 +36,8 @@ std::vector<std::vector<int>> Paths(const Skeleton& tree) {
     if (neighbours[start].size() == 2) continue;
     for (const int first : neighbours[start]) {
       std::vector<int> path{static_cast<int>(start), first};
-      while (neighbours[path.back()].size() == 2) {
-        const auto& pair = neighbours[path.back()];
+      while (neighbours[Index(path.back())].size() == 2) {
+        const auto& pair = neighbours[Index(path.back())];
         path.push_back(pair[0] == path[path.size() - 2] ? pair[1] : pair[0]);
       }
       // Each path is met from both of its ends.

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "skeleton/chains.h"
+#include "skeleton/index.h"
 #include "skeleton/ring.h"
 #include "skeleton/shapes.h"
 
@@ -193,7 +194,7 @@ TEST(MakeField, MirroredPartsBlendWithTheirParentsOnTheirSide) {
     const FieldPart& part = field.parts[i];
     if (!part.parent) continue;
     EXPECT_LT(*part.parent, static_cast<int>(i));
-    EXPECT_GE(part.z0 * field.parts[*part.parent].z0, 0);
+    EXPECT_GE(part.z0 * field.parts[Index(*part.parent)].z0, 0);
   }
   for (const Vector3d& p : {Vector3d(-20, 15, 7), Vector3d(10, 30, 3), Vector3d(-30, 40, 9)}) {
     const Vector3d image(p.x(), p.y(), -p.z());

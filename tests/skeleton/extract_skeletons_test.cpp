@@ -8,6 +8,7 @@
 
 #include "lascaux/skeleton/skeleton.h"
 #include "skeleton/extend_outline.h"
+#include "skeleton/index.h"
 #include "skeleton/ring.h"
 #include "skeleton/shapes.h"
 #include "skeleton/simplify_skeleton.h"
@@ -34,8 +35,8 @@ bool IsTree(const Skeleton& skeleton) {
   std::vector<int> queue{0};
   seen[0] = 1;
   for (std::size_t head = 0; head < queue.size(); ++head) {
-    for (const int w : neighbours[queue[head]]) {
-      if (!seen[w]) seen[w] = 1, queue.push_back(w);
+    for (const int w : neighbours[Index(queue[head])]) {
+      if (!seen[Index(w)]) seen[Index(w)] = 1, queue.push_back(w);
     }
   }
   return queue.size() == skeleton.vertices.size();
@@ -56,7 +57,8 @@ double Uncovered(const Skeleton& skeleton, const Outline& outline) {
       least = std::min(least, (p - v.position).norm() - v.radius);
     }
     for (const auto& [a, b] : skeleton.edges) {
-      least = std::min(least, DistanceToCone(skeleton.vertices[a], skeleton.vertices[b], p));
+      least = std::min(least,
+                       DistanceToCone(skeleton.vertices[Index(a)], skeleton.vertices[Index(b)], p));
     }
     worst = std::max(worst, least);
   }

@@ -7,6 +7,7 @@
 
 #include "lascaux/field/field.h"
 #include "skeleton/chains.h"
+#include "skeleton/index.h"
 #include "skeleton/planar_field.h"
 #include "skeleton/shapes.h"
 
@@ -66,8 +67,8 @@ TEST(PlanarField, DerivativesAgreeWithDifferences) {
     PlanarSample sample, low, high;
     PlanarField(chains).Evaluate(p, sample);
     std::vector<double> derivatives(27, 0);
-    for (const auto& [index, value] : sample.derivatives) derivatives[index] += value;
-    int index = 0;
+    for (const auto& [at, value] : sample.derivatives) derivatives[Index(at)] += value;
+    std::size_t index = 0;
     for (std::size_t c = 0; c < chains.size(); ++c) {
       for (std::size_t v = 0; v < chains[c].vertices.size(); ++v) {
         for (int k = 0; k < 3; ++k, ++index) {

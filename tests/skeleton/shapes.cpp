@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lascaux/sketch/bezier.h"
+#include "skeleton/index.h"
 
 namespace lascaux::testing {
 namespace {
@@ -113,8 +114,8 @@ Outline RandomBlob(std::uint32_t seed) {
   std::uniform_real_distribution<double> uniform(-1, 1);
   std::array<double, 4> cosines{}, sines{};
   for (int k = 0; k < 4; ++k) {
-    cosines[k] = 0.25 * uniform(random) / (k + 1);
-    sines[k] = 0.25 * uniform(random) / (k + 1);
+    cosines[Index(k)] = 0.25 * uniform(random) / (k + 1);
+    sines[Index(k)] = 0.25 * uniform(random) / (k + 1);
   }
   std::vector<Vector2d> points;
   constexpr int kSteps = 300;
@@ -122,7 +123,7 @@ Outline RandomBlob(std::uint32_t seed) {
     const double t = 2 * kPi * i / kSteps;
     double radius = 1;
     for (int k = 0; k < 4; ++k) {
-      radius += cosines[k] * std::cos((k + 1) * t) + sines[k] * std::sin((k + 1) * t);
+      radius += cosines[Index(k)] * std::cos((k + 1) * t) + sines[Index(k)] * std::sin((k + 1) * t);
     }
     points.push_back(radius * Vector2d(1.6 * std::cos(t), std::sin(t)));
   }

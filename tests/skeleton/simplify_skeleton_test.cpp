@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "skeleton/index.h"
+
 namespace lascaux {
 namespace {
 
@@ -53,9 +55,9 @@ TEST(Simplify, MovesTheOutlineByNoMoreThanTheTolerance) {
       // A disc reaches as far out of the simplified hull as its circle does.
       double least = 10;
       for (const auto& [a, b] : simple.edges) {
-        least =
-            std::min(least, DistanceToCone(simple.vertices[a], simple.vertices[b], disc.position) +
-                                disc.radius);
+        least = std::min(least, DistanceToCone(simple.vertices[Index(a)], simple.vertices[Index(b)],
+                                               disc.position) +
+                                    disc.radius);
       }
       EXPECT_LT(least, 1.5 * tolerance);
     }
