@@ -60,10 +60,11 @@ void ConnectBlocks(Band& band);
 /// Keeps the distances of the voxels in `crossings` and replaces all others by the solution of
 /// |grad d| = 1 from there, as far as kSweepVoxels.
 ///
-/// Godunov's upwind scheme, solved by Jacobi iteration to its fixed point: the same bits for any
-/// number of threads, and symmetric where the input is. Source: H. Zhao, "A fast sweeping method
-/// for Eikonal equations", Mathematics of Computation 74(250), 2005, for the scheme.
-void SweepDistances(Band& band, const std::vector<VoxelMask>& crossings,
+/// Godunov's upwind scheme, solved to its fixed point: Gauss-Seidel within a block, Jacobi between
+/// blocks, so that the bits are the same for any number of threads. Source: H. Zhao, "A fast
+/// sweeping method for Eikonal equations", Mathematics of Computation 74(250), 2005. The same bits
+/// for every `isa`, which must be supported.
+void SweepDistances(Band& band, const std::vector<VoxelMask>& crossings, Isa isa,
                     const Execution& execution);
 
 /// Replaces swept distances by the distance to the plane that is tangent to the surface at the foot

@@ -29,6 +29,9 @@ class BandView {
     }
   }
 
+  /// Reads the block's own values from elsewhere, those around it from where they were.
+  void SetOwn(const float* own) { own_ = own; }
+
   float At(std::size_t i) const { return own_[i]; }
   bool IsInside(std::size_t i) const { return ((*inside_)[i / 64] >> i % 64 & 1) != 0; }
 

@@ -77,7 +77,7 @@ Outcome<openvdb::FloatGrid::Ptr> Fill(const Field& field, double voxel_size,
   for (const VoxelMask& mask : crossings) is_empty = is_empty && mask == VoxelMask{};
   if (is_empty) return Result::Failure(EmptyField());
 
-  SweepDistances(band, crossings, execution);
+  SweepDistances(band, crossings, compiled.isa(), execution);
   RefineDistances(source, crossings, band, execution);
   if (execution.IsCancelled()) return Result::Failure(Cancelled());
   return WriteGrid(band, found.inside, voxel_size);

@@ -8,33 +8,36 @@
 #include "volume/band.h"
 #include "volume/band_view.h"
 
+// What is compiled twice must be inlined into both.
+#define LASCAUX_INLINE [[gnu::always_inline]] inline
+
 namespace lascaux {
 namespace {
 
-// Four lanes: what every x86-64 and ARM processor has, in the notation that g++ and clang share.
-constexpr std::size_t kLanes = 4;
+// A line of a block, in the notation that g++ and clang share: one register with AVX2, two without.
+constexpr std::size_t kLanes = 8;
 using Lanes [[gnu::vector_size(4 * kLanes)]] = float;
 
-inline Lanes All(float value) { return Lanes{} + value; }
+LASCAUX_INLINE Lanes All(float value) { return Lanes{} + value; }
 
-inline Lanes Load(const float* from) {
+LASCAUX_INLINE Lanes Load(const float* from) {
   Lanes lanes;
   std::memcpy(&lanes, from, sizeof lanes);
   return lanes;
 }
 
-inline Lanes Min(Lanes a, Lanes b) { return a < b ? a : b; }
-inline Lanes Max(Lanes a, Lanes b) { return a < b ? b : a; }
+LASCAUX_INLINE Lanes Min(Lanes a, Lanes b) { return a < b ? a : b; }
+LASCAUX_INLINE Lanes Max(Lanes a, Lanes b) { return a < b ? b : a; }
 
 /// Square root of what is positive, 0 of the rest.
-inline Lanes Root(Lanes a) {
+LASCAUX_INLINE Lanes Root(Lanes a) {
   a = Max(a, Lanes{});
   for (std::size_t k = 0; k < kLanes; ++k) a[k] = std::sqrt(a[k]);
   return a;
 }
 
 /// The solution of Godunov's scheme from the smaller neighbour along each axis.
-inline Lanes Solve(Lanes x, Lanes y, Lanes z) {
+LASCAUX_INLINE Lanes Solve(Lanes x, Lanes y, Lanes z) {
   const Lanes low = Min(x, y), high = Max(x, y);
   const Lanes a = Min(low, z);
   // Relative to the smallest, so that no digits are lost in squares.
@@ -48,56 +51,97 @@ inline Lanes Solve(Lanes x, Lanes y, Lanes z) {
 
 /// The new values of a line; `fixed` is below kFar where a value is given. Returns whether a value
 /// within the band changed.
-inline bool UpdateLine(const BandView& view, std::size_t at, const float* fixed, float* out) {
+LASCAUX_INLINE bool UpdateLine(const BandView& view, std::size_t at, const float* fixed,
+                               float* out) {
   const float* const line = view.Line(at);
   const std::array<const float*, 4> beside = view.LinesBeside(at);
   std::array<float, 10> z;
   z[0] = view.BeforeLine(at);
   std::memcpy(&z[1], line, 8 * sizeof(float));
   z[9] = view.AfterLine(at);
-  Lanes largest_change{};
-  for (std::size_t k = 0; k < 8; k += kLanes) {
-    const Lanes own = Load(line + k), given = Load(fixed + at + k);
-    const Lanes solved =
-        Solve(Min(Load(beside[0] + k), Load(beside[1] + k)),
-              Min(Load(beside[2] + k), Load(beside[3] + k)), Min(Load(&z[k]), Load(&z[k + 2])));
-    const Lanes next = given < kFar ? given : Min(solved, own);
-    const Lanes change = next < kSweepVoxels ? own - next : Lanes{};
-    largest_change = Max(largest_change, change);
-    std::memcpy(out + at + k, &next, sizeof next);
-  }
+  const Lanes own = Load(line), given = Load(fixed + at);
+  const Lanes solved = Solve(Min(Load(beside[0]), Load(beside[1])),
+                             Min(Load(beside[2]), Load(beside[3])), Min(Load(&z[0]), Load(&z[2])));
+  const Lanes next = given < kFar ? given : Min(solved, own);
+  const Lanes change = next < kSweepVoxels ? own - next : Lanes{};
+  std::memcpy(out + at, &next, sizeof next);
   float largest = 0;
-  for (std::size_t k = 0; k < kLanes; ++k) largest = std::max(largest, largest_change[k]);
+  for (std::size_t k = 0; k < kLanes; ++k) largest = std::max(largest, change[k]);
   return largest > 0;
 }
 
 /// One bit a line of eight along z: bit 8 x + y.
 using LineMask = std::uint64_t;
 
-/// Lines that have a line in `changed` beside them, or are in it.
-LineMask LinesToUpdate(const Band& band, std::size_t block, const std::vector<LineMask>& changed) {
-  constexpr LineMask kFirstY = 0x0101010101010101, kLastY = kFirstY << 7;
+constexpr LineMask kFirstY = 0x0101010101010101, kLastY = kFirstY << 7;
+
+/// Lines beside those in `lines`, in the same block.
+LineMask BesideInBlock(LineMask lines) {
+  return lines << 8 | lines >> 8 | (lines << 1 & ~kFirstY) | (lines >> 1 & ~kLastY);
+}
+
+/// Lines of a block beside those in `changed` in its neighbours.
+LineMask BesideOtherBlocks(const Band& band, std::size_t block,
+                           const std::vector<LineMask>& changed) {
   const auto beside = [&](std::size_t side) {
     const std::int32_t n = band.neighbours[block][side];
     return n == kNoBlock ? LineMask{0} : changed[static_cast<std::size_t>(n)];
   };
-  const LineMask own = changed[block];
-  const LineMask along_x = own << 8 | own >> 8 | beside(0) >> 56 | beside(1) << 56;
-  const LineMask along_y = (own << 1 & ~kFirstY) | (own >> 1 & ~kLastY) |
-                           (beside(2) >> 7 & kFirstY) | (beside(3) << 7 & kLastY);
-  return own | along_x | along_y | beside(4) | beside(5);
+  return beside(0) >> 56 | beside(1) << 56 | (beside(2) >> 7 & kFirstY) |
+         (beside(3) << 7 & kLastY) | beside(4) | beside(5);
 }
 
-/// One iteration of the lines in `lines` of one block: to `out`, from the values around it. Returns
-/// the lines in which a value within the band changed.
-LineMask Iterate(const BandView& view, LineMask lines, const float* fixed, float* out) {
-  LineMask changed = 0;
-  for (; lines != 0; lines &= lines - 1) {
-    const auto bit = static_cast<std::size_t>(std::countr_zero(lines));
-    if (UpdateLine(view, 8 * bit, fixed, out)) changed |= LineMask{1} << bit;
+/// Values of one block while it is swept.
+struct BlockSweep {
+  BandView view;       // sees its own new values, and its neighbours' of the last iteration
+  const float* fixed;  // below kFar where a value is given
+  float* out;
+  LineMask pending;      // lines whose surroundings changed since they were last updated
+  LineMask changed = 0;  // lines in which a value that matters changed
+
+  /// Updates the pending lines from first to last, with those that become pending ahead.
+  LASCAUX_INLINE void Forward() {
+    for (LineMask ahead = pending; ahead != 0;) {
+      const LineMask line = ahead & -ahead;
+      ahead ^= line;
+      ahead |= Update(line) & ~(line | (line - 1));
+    }
   }
-  return changed;
+
+  /// The same from last to first.
+  LASCAUX_INLINE void Backward() {
+    for (LineMask ahead = pending; ahead != 0;) {
+      const LineMask line = std::bit_floor(ahead);
+      ahead ^= line;
+      ahead |= Update(line) & (line - 1);
+    }
+  }
+
+ private:
+  /// Returns the lines that are pending because of this one.
+  LASCAUX_INLINE LineMask Update(LineMask line) {
+    pending &= ~line;
+    const std::size_t at = 8 * static_cast<std::size_t>(std::countr_zero(line));
+    if (!UpdateLine(view, at, fixed, out)) return 0;
+    changed |= line;
+    const LineMask touched = line | BesideInBlock(line);
+    pending |= touched;
+    return touched;
+  }
+};
+
+LASCAUX_INLINE void SweepBothWays(BlockSweep& sweep) {
+  sweep.Forward();
+  sweep.Backward();
 }
+
+// The same code twice. Without fused multiplications, which AVX2 by itself has not, the bits agree.
+void RunBaseline(BlockSweep& sweep) { SweepBothWays(sweep); }
+#if defined(__x86_64__)
+[[gnu::target("avx2")]] void RunAvx2(BlockSweep& sweep) { SweepBothWays(sweep); }
+#else
+constexpr auto RunAvx2 = RunBaseline;
+#endif
 
 /// The distance at a crossing. Along an axis, the distances of two voxels on different sides can't
 /// add up to more than the voxel between them; where they do, in creases that one of them does not
@@ -133,18 +177,30 @@ std::vector<float> FixCrossings(const Band& band, const std::vector<VoxelMask>& 
 
 }  // namespace
 
-void SweepDistances(Band& band, const std::vector<VoxelMask>& crossings,
+void SweepDistances(Band& band, const std::vector<VoxelMask>& crossings, Isa isa,
                     const Execution& execution) {
-  std::vector<LineMask> changed, changes(band.size());
+  std::vector<LineMask> changed, changes(band.size()), pending(band.size());
   const std::vector<float> fixed = FixCrossings(band, crossings, changed);
+  for (std::size_t b = 0; b < band.size(); ++b) pending[b] = changed[b] | BesideInBlock(changed[b]);
   std::vector<float> next = band.distance = fixed;
+  const auto run = isa == Isa::kBaseline ? RunBaseline : RunAvx2;
   const auto is_settled = [](LineMask mask) { return mask == 0; };
-  while (!std::all_of(changed.begin(), changed.end(), is_settled) && !execution.IsCancelled()) {
-    // A line that is left out has not changed in the last iteration, so `next` holds its values.
+  while (!(std::all_of(changed.begin(), changed.end(), is_settled) &&
+           std::all_of(pending.begin(), pending.end(), is_settled)) &&
+         !execution.IsCancelled()) {
     tbb::parallel_for(std::size_t{0}, band.size(), [&](std::size_t b) {
-      const BandView view(band, band.distance, b);
-      changes[b] = Iterate(view, LinesToUpdate(band, b, changed), fixed.data() + kBlockVoxels * b,
-                           next.data() + kBlockVoxels * b);
+      const float* const last = band.distance.data() + kBlockVoxels * b;
+      float* const own = next.data() + kBlockVoxels * b;
+      for (LineMask stale = changed[b]; stale != 0; stale &= stale - 1) {
+        const std::size_t at = 8 * static_cast<std::size_t>(std::countr_zero(stale));
+        std::copy_n(last + at, 8, own + at);
+      }
+      BlockSweep sweep = {BandView(band, band.distance, b), fixed.data() + kBlockVoxels * b, own,
+                          pending[b] | BesideOtherBlocks(band, b, changed)};
+      sweep.view.SetOwn(own);
+      run(sweep);
+      pending[b] = sweep.pending;
+      changes[b] = sweep.changed;
     });
     std::swap(band.distance, next);
     std::swap(changed, changes);

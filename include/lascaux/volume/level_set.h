@@ -36,9 +36,11 @@ struct RasteriseOptions {
 /// number of threads.
 ///
 /// Blocks of 8 x 8 x 8 voxels that may hold surface are found from bounds, so none is missed and
-/// memory grows with the surface. Distances are by Newton's method beside the surface (for radii of
-/// 8 voxels: error below 0.01 voxel) and by Godunov's scheme for |grad d| = 1 beyond (mean error
-/// below 0.03 voxel); both shrink with the voxels. None is smaller than 0.004 voxel.
+/// memory grows with the surface. Distances are by Newton's method beside the surface; beyond, by
+/// Godunov's scheme for |grad d| = 1, corrected to the distance from the tangent plane at the foot.
+/// Spheres and cylinders with a radius of 8 voxels: mean error 0.001 voxel, largest 0.02; the error
+/// in voxels falls at least as fast as the voxels. In creases, where that plane is not the nearest
+/// surface, the scheme's first order remains. No distance is smaller than 0.004 voxel.
 ///
 /// Errors: "bad-voxel-size", "bad-primitive" (from Validate), "empty-field" (no voxel centre is
 /// inside), "out-of-memory" (with the estimate), "cancelled".

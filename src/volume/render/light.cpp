@@ -23,8 +23,10 @@ constexpr float kKeySize = 0.22F;  // tangent of the key light's half angle
 constexpr float kKeyReach = 0.9F;  // of the model's size, after which nothing throws a shadow
 constexpr int kKeySteps = 24;
 constexpr float kRim = 1.2F;
-constexpr float kGloss = 0.10F;      // strength of the sheen
-constexpr float kGlossPower = 14.F;  // its breadth: fired clay is dull
+constexpr float kRimWrap = 0.15F;
+constexpr float kLift = 1.2F, kKeyLift = 2.F;  // strides of the coarse field
+constexpr float kGloss = 0.10F;                // strength of the sheen
+constexpr float kGlossPower = 14.F;            // its breadth: fired clay is dull
 
 float Smooth(float t) {
   t = std::clamp(t, 0.F, 1.F);
@@ -63,7 +65,7 @@ Studio::Studio(const CoarseField& coarse, const Camera& camera)
   }
 }
 
-float Studio::KeyVisibility(const Eigen::Vector3f& p, float lift) const {
+float Studio::KeyVisibility(const Eigen::Vector3f& p, float lift) const noexcept {
   float light = 1;
   float t = lift;
   // Above the model nothing is in the way.
@@ -77,7 +79,8 @@ float Studio::KeyVisibility(const Eigen::Vector3f& p, float lift) const {
   return Smooth(light);
 }
 
-float Studio::ConeVisibility(const Eigen::Vector3f& p, const Eigen::Vector3f& direction) const {
+float Studio::ConeVisibility(const Eigen::Vector3f& p,
+                             const Eigen::Vector3f& direction) const noexcept {
   float free = 1;
   for (const float t : reach_) {
     const Eigen::Vector3f q = p + t * direction;
@@ -100,7 +103,7 @@ float Studio::Contact(const Eigen::Vector3f& p) const noexcept {
   return contact / total;
 }
 
-Color Studio::Ambient(const Eigen::Vector3f& p, const Eigen::Vector3f& normal) const {
+Color Studio::Ambient(const Eigen::Vector3f& p, const Eigen::Vector3f& normal) const noexcept {
   static const std::array<Cone, 6> kCones = MakeCones();
   // The smallest rotation that takes the direction to the camera to the normal: continuous over all
   // that can be seen.
@@ -130,22 +133,28 @@ Color Studio::Ambient(const Eigen::Vector3f& p, const Eigen::Vector3f& normal) c
   return light;
 }
 
-Color Studio::Shade(const Eigen::Vector3f& p, const Eigen::Vector3f& normal,
-                    const Eigen::Vector3f& to_eye) const {
-  const float lift = 2.F * coarse_->stride();
-  const Eigen::Vector3f start = p + 1.2F * coarse_->stride() * normal;
-  const float facing = normal.dot(key_);
-  const float visible = facing > -0.35F ? KeyVisibility(start, lift) : 0;
-  const Color wrapped = ((facing + kWrap) / (1 + kWrap)).max(0.F);
-  Color light = visible * kKeyLight * wrapped * wrapped.sqrt();
-  light += Ambient(p, normal);
+Lighting Studio::Gather(const Eigen::Vector3f& p, const Eigen::Vector3f& normal) const noexcept {
+  // The coarse field is rough near the surface: light is looked for from a little above it.
+  const Eigen::Vector3f start = p + kLift * coarse_->stride() * normal;
+  Lighting lighting;
+  if (normal.dot(key_) > -kWrap.maxCoeff()) {
+    lighting.key = KeyVisibility(start, kKeyLift * coarse_->stride());
+  }
+  if (normal.dot(rim_) > -kRimWrap) lighting.rim = ConeVisibility(start, rim_);
+  lighting.ambient = Ambient(p, normal);
+  return lighting;
+}
+
+Color Studio::Shade(const Lighting& lighting, const Eigen::Vector3f& normal,
+                    const Eigen::Vector3f& to_eye) const noexcept {
+  const Color wrapped = ((normal.dot(key_) + kWrap) / (1 + kWrap)).max(0.F);
+  Color light = lighting.ambient + lighting.key * kKeyLight * wrapped * wrapped.sqrt();
   const float grazing = 1 - std::max(0.F, normal.dot(to_eye));
-  const float behind = std::max(0.F, normal.dot(rim_) + 0.15F);
-  const float rim = kRim * behind * grazing * grazing;
-  if (rim > 0.02F) light += rim * ConeVisibility(start, rim_) * kRimLight;
+  const float behind = std::max(0.F, normal.dot(rim_) + kRimWrap);
+  light += kRim * lighting.rim * behind * grazing * grazing * kRimLight;
   const Eigen::Vector3f half = (key_ + to_eye).normalized();
   const float gloss = kGloss * std::pow(std::max(0.F, normal.dot(half)), kGlossPower);
-  return kClay * light + visible * gloss * kKeyLight;
+  return kClay * light + lighting.key * gloss * kKeyLight;
 }
 
 }  // namespace lascaux

@@ -18,6 +18,21 @@ namespace lascaux {
 
 using Color = Eigen::Array3f;  // linear light, sRGB primaries
 
+/// What a place on the surface sees of the lights: shares of the key light and of the light from
+/// behind, and all that comes from the sky and the floor.
+struct Lighting {
+  float key = 0, rim = 0;
+  Color ambient = Color::Zero();
+
+  Lighting& operator+=(const Lighting& other) noexcept {
+    key += other.key;
+    rim += other.rim;
+    ambient += other.ambient;
+    return *this;
+  }
+  Lighting operator/(float n) const noexcept { return {key / n, rim / n, ambient / n}; }
+};
+
 /// The lights' places, fixed to the camera so that every view is lit alike, and what they see of
 /// the model.
 class Studio {
@@ -25,16 +40,19 @@ class Studio {
   /// Both must outlive it.
   Studio(const CoarseField& coarse, const Camera& camera);
 
-  /// Light that clay sends from a place on the surface towards the camera.
-  Color Shade(const Eigen::Vector3f& p, const Eigen::Vector3f& normal,
-              const Eigen::Vector3f& to_eye) const;
+  /// What reaches a place on the surface. It varies slowly, and costs most.
+  Lighting Gather(const Eigen::Vector3f& p, const Eigen::Vector3f& normal) const noexcept;
+
+  /// Light that clay sends towards the camera.
+  Color Shade(const Lighting& lighting, const Eigen::Vector3f& normal,
+              const Eigen::Vector3f& to_eye) const noexcept;
 
   /// Share of the key light, 0 to 1, that reaches a place; `lift` voxels are left out at its
   /// beginning.
-  float KeyVisibility(const Eigen::Vector3f& p, float lift) const;
+  float KeyVisibility(const Eigen::Vector3f& p, float lift) const noexcept;
 
   /// Share of a cone of half angle about 30 degrees that is free, weighted towards near obstacles.
-  float ConeVisibility(const Eigen::Vector3f& p, const Eigen::Vector3f& direction) const;
+  float ConeVisibility(const Eigen::Vector3f& p, const Eigen::Vector3f& direction) const noexcept;
 
   /// How close the model is above a place on the floor, 0 to 1: round and without directions.
   float Contact(const Eigen::Vector3f& p) const noexcept;
@@ -44,7 +62,7 @@ class Studio {
   float ground() const noexcept { return coarse_->ground(); }
 
  private:
-  Color Ambient(const Eigen::Vector3f& p, const Eigen::Vector3f& normal) const;
+  Color Ambient(const Eigen::Vector3f& p, const Eigen::Vector3f& normal) const noexcept;
 
   const CoarseField* coarse_;
   const Camera* camera_;

@@ -41,15 +41,18 @@ constexpr std::array<std::array<float, 2>, 8> kEdgePlaces = {{{0.0625F, 0.4375F}
 /// and their normals are this close; between neighbours that do not, there is an edge.
 constexpr float kSheetVoxels = 2.5F;
 constexpr float kSheetCosine = 0.7F;
+/// Light is taken over from neighbours whose normals are this close.
+constexpr float kSmoothCosine = 0.94F;
 
 /// Where a ray met the model.
 struct Sample {
   Eigen::Vector3f place, normal;
 };
 
-bool OnOneSheet(const std::optional<Sample>& a, const std::optional<Sample>& b) {
+bool OnOneSheet(const std::optional<Sample>& a, const std::optional<Sample>& b,
+                float cosine = kSheetCosine) {
   if (!a || !b) return a.has_value() == b.has_value();
-  return a->normal.dot(b->normal) > kSheetCosine &&
+  return a->normal.dot(b->normal) > cosine &&
          std::abs(a->normal.dot(b->place - a->place)) < kSheetVoxels;
 }
 
@@ -73,12 +76,20 @@ class Scene {
     return Sample{ray.At(*t), surface.Normal(ray.At(*t))};
   }
 
-  /// Light of the picture at a place in pixels.
-  Color Light(const std::optional<Sample>& sample, float x, float y) const {
-    const Ray ray = camera.Through(x, y);
-    if (sample) return ToneMapped(studio.Shade(sample->place, sample->normal, -ray.direction));
+  /// Light of the picture at a place in pixels where the model is seen.
+  Color ModelLight(const Sample& sample, const Lighting& lighting, float x, float y) const {
+    return ToneMapped(studio.Shade(lighting, sample.normal, -camera.Through(x, y).direction));
+  }
+
+  /// The same where the backdrop is seen.
+  Color BackdropLight(float x, float y) const {
     const Eigen::Vector2f p = (Eigen::Vector2f(x, y) - middle_) / middle_.maxCoeff();
-    return Shadowed(Backdrop(p.x(), p.y()), shadow.At(ray));
+    return Shadowed(Backdrop(p.x(), p.y()), shadow.At(camera.Through(x, y)));
+  }
+
+  Color Light(const std::optional<Sample>& sample, float x, float y) const {
+    if (!sample) return BackdropLight(x, y);
+    return ModelLight(*sample, studio.Gather(sample->place, sample->normal), x, y);
   }
 
   const CoarseField coarse;
@@ -104,6 +115,7 @@ class Painter {
     free_.resize(static_cast<std::size_t>(blocks_across_) * static_cast<std::size_t>(blocks_down));
     const auto count = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
     samples_.resize(count);
+    lighting_.resize(count);
     image_ = {width_, height_, std::vector<std::uint8_t>(4 * count, 255)};
   }
 
@@ -117,10 +129,14 @@ class Painter {
       const float free = scene_.surface.FreeLength(middle, spread);
       Free(left, top) = free;
       ForPixels(left, top, [&](int x, int y) {
-        const float px = static_cast<float>(x) + 0.5F, py = static_cast<float>(y) + 0.5F;
-        std::optional<Sample>& sample = samples_[Index(x, y)];
-        if (free < kNothing) sample = scene_.Trace(px, py, free);
-        Put(x, y, scene_.Light(sample, px, py));
+        if (free < kNothing) samples_[Index(x, y)] = scene_.Trace(Middle(x), Middle(y), free);
+      });
+      if (free < kNothing) Gather(left, top);
+      ForPixels(left, top, [&](int x, int y) {
+        const auto& sample = samples_[Index(x, y)];
+        Put(x, y,
+            sample ? scene_.ModelLight(*sample, lighting_[Index(x, y)], Middle(x), Middle(y))
+                   : scene_.BackdropLight(Middle(x), Middle(y)));
       });
     });
   }
@@ -153,6 +169,40 @@ class Painter {
     for (int y = top; y < bottom; ++y) {
       for (int x = left; x < right; ++x) per_pixel(x, y);
     }
+  }
+
+  static float Middle(int pixel) { return static_cast<float>(pixel) + 0.5F; }
+
+  /// Gathers light at every other pixel of a block, and between them takes the mean of those on the
+  /// same sheet.
+  void Gather(int left, int top) {
+    const auto gathers = [](int i) { return i % 2 == 0 || i == kBlock - 1; };
+    const auto gather = [&](int x, int y) {
+      const auto& sample = samples_[Index(x, y)];
+      if (sample) lighting_[Index(x, y)] = scene_.studio.Gather(sample->place, sample->normal);
+    };
+    ForPixels(left, top, [&](int x, int y) {
+      if (gathers(x - left) && gathers(y - top)) gather(x, y);
+    });
+    ForPixels(left, top, [&](int x, int y) {
+      if (gathers(x - left) && gathers(y - top)) return;
+      const int dx = gathers(x - left) ? 0 : 1, dy = gathers(y - top) ? 0 : 1;
+      const auto& here = samples_[Index(x, y)];
+      if (!here) return;
+      Lighting sum;
+      int count = 0;
+      for (const int ny : {y - dy, y + dy}) {
+        for (const int nx : {x - dx, x + dx}) {
+          if (nx >= width_ || ny >= height_) continue;
+          const auto& there = samples_[Index(nx, ny)];
+          if (!there || !OnOneSheet(here, there, kSmoothCosine)) continue;
+          sum += lighting_[Index(nx, ny)];
+          ++count;
+        }
+      }
+      if (count == 0) return gather(x, y);
+      lighting_[Index(x, y)] = sum / static_cast<float>(count);
+    });
   }
 
   /// How far all rays of a pixel's block are free.
@@ -206,6 +256,7 @@ class Painter {
   int width_, height_, blocks_across_;
   std::vector<float> free_;
   std::vector<std::optional<Sample>> samples_;
+  std::vector<Lighting> lighting_;
   Image image_;
 };
 
