@@ -61,13 +61,13 @@ class SourcesTest(unittest.TestCase):
         explained = set(re.findall(r"^\| `([a-z0-9-]+)`", page, re.M))
         for code in sorted(codes):
             with self.subTest(code=code):
-                self.assertIn(code, explained)
+                self.assertTrue(code in explained, "docs/diagnostics.md has no row for it")
         for code in sorted(explained - codes):
             with self.subTest(code=code, why="explained, but nothing says it"):
                 self.assertTrue(any(f'"{code}"' in text for text in texts))
         for code in sorted(explained):
-            with self.subTest(code=code):
-                self.assertIn(f'"{code}"', tests)
+            with self.subTest(code=code, why="no test names it"):
+                self.assertTrue(re.search(rf'"(?:[^"\n]* )?{code}(?: [^"\n]*)?"', tests))
 
     def test_files_are_small(self):
         for path in sources("include", "src", "tools", "tests", endings=(".h", ".cpp", ".py")):
