@@ -183,6 +183,27 @@ TEST(PlanarMap, ScribbleIsRefused) {
   EXPECT_TRUE(Has(map.diagnostics(), "too-tangled"));
 }
 
+TEST(PlanarMap, HatchingIsRefused) {
+  Sketch sketch;
+  for (int i = 0; i < 20'001; ++i) sketch.strokes.push_back(Straight({{i * 1.0, 0}, {i * 1.0, 3}}));
+  const auto map = BuildPlanarMap(sketch);
+  ASSERT_FALSE(map);
+  EXPECT_TRUE(Has(map.diagnostics(), "too-many-strokes"));
+}
+
+TEST(PlanarMap, ThousandsOfStrokesTakeBoundedTime) {
+  Sketch sketch = SketchOf({Loop({{0, 0}, {1000, 0}, {1000, 1000}, {0, 1000}})});
+  for (int i = 0; i < 70; ++i) {
+    for (int k = 0; k < 70; ++k) {
+      sketch.strokes.push_back(
+          Straight({{14.0 * i + 5, 14.0 * k + 5}, {14.0 * i + 11, 14.0 * k + 6}}));
+    }
+  }
+  const auto map = BuildPlanarMap(sketch);
+  ASSERT_TRUE(map);
+  EXPECT_EQ(Count(*map, CycleKind::kBorder), 1);
+}
+
 /// Every half-edge in one cycle; V - E + F = 1 + C over the bounded faces; areas of a component add
 /// up to nothing.
 void ExpectConsistent(const PlanarMap& map) {

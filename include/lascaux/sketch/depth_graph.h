@@ -66,7 +66,10 @@ struct OrderByDepthOptions {
   bool operator==(const OrderByDepthOptions&) const = default;
 };
 
-/// Finds the body, the pairs and the relations between parts.
+/// Finds the body, the pairs and the relations between parts (docs/structure.md has the rules).
+///
+/// Errors (understanding): "no-body", when nothing can be one; "body-not-there", when options.body
+/// lies in no part.
 Outcome<DepthGraph> OrderByDepth(const PlanarMap& map, const Parts& parts,
                                  const OrderByDepthOptions& options = {},
                                  const Execution& execution = {});

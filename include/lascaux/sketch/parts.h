@@ -93,7 +93,12 @@ struct FindPartsOptions {
   bool operator==(const FindPartsOptions&) const = default;
 };
 
-/// Cuts the cycles of `map` into structural parts.
+/// Cuts the cycles of `map` into structural parts: every border cycle, less its limbs, then the
+/// limbs cut from it, parents before children; then islands, and enclosed cells.
+///
+/// A limb is a stretch of outline between two suggestive curves (paired by least total energy over
+/// the whole cycle), or between one and the contour, if it comes down to the ground
+/// (docs/structure.md). Every map gives parts; there are no errors.
 Outcome<Parts> FindParts(const PlanarMap& map, const FindPartsOptions& options = {},
                          const Execution& execution = {});
 

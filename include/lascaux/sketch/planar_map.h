@@ -94,6 +94,11 @@ struct BuildPlanarMapOptions {
 };
 
 /// Joins the strokes of a drawing into a planar map.
+///
+/// Warnings: "gap-closed", "slit-closed" with their places. Notes: "cell-merged". Errors:
+/// "no-strokes" (input); "outline-open" with the place, "too-tangled", "too-many-strokes"
+/// (understanding). Time: n log n in the points of a drawing, and linear in its crossings; 2 ms for
+/// a drawing of 20 strokes.
 Outcome<PlanarMap> BuildPlanarMap(const Sketch& sketch, const BuildPlanarMapOptions& options = {},
                                   const Execution& execution = {});
 

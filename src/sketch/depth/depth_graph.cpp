@@ -37,18 +37,18 @@ void PlaceLimbs(const Parts& parts, const std::vector<std::optional<int>>& far_o
   }
 }
 
-/// True when a cell lies nearer to the limb's root than to its tip.
+/// True when a cell lies nearer to the limb's root than to its tip, the point farthest from its
+/// top.
 bool IsAtRoot(const Part& limb, const Part& cell) {
-  const Vector2d root = 0.5 * (limb.root->closed[0] + limb.root->closed[1]),
-                 at = Centroid(cell.outline.points);
-  double reach = 0;
-  Vector2d tip = root;
-  for (const Vector2d& p : limb.outline.points) {
-    if ((p - root).norm() <= reach) continue;
-    reach = (p - root).norm();
-    tip = p;
-  }
-  return (at - root).norm() < (at - tip).norm();
+  const LimbRoot& root = *limb.root;
+  const Vector2d joint = 0.5 * (root.closed[0] + root.closed[1]);
+  const Vector2d top = 0.5 * (root.open[0] + root.open[1]), at = Centroid(cell.outline.points);
+  const auto& points = limb.outline.points;
+  const Vector2d tip =
+      *std::max_element(points.begin(), points.end(), [&](const Vector2d& p, const Vector2d& q) {
+        return (p - top).squaredNorm() < (q - top).squaredNorm();
+      });
+  return (at - joint).norm() < (at - tip).norm();
 }
 
 /// Everything else hangs on the part that it shares the longest line with, outwards from the body.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "sketch/map/arrangement.h"
 #include "sketch/map/cells.h"
@@ -12,6 +13,10 @@ namespace lascaux {
 namespace {
 
 using Eigen::Vector2d;
+
+/// More strokes than this are hatching, not an animal; the stages after this one would take
+/// seconds.
+constexpr std::size_t kMaxLines = 20'000;
 
 Polyline FlattenStroke(const Stroke& stroke, double tolerance) {
   Polyline points;
@@ -78,6 +83,12 @@ Outcome<PlanarMap> BuildPlanarMap(const Sketch& sketch, const BuildPlanarMapOpti
     return Outcome<PlanarMap>::Failure(
         Error(FailureKind::kInput, "no-strokes",
               "the drawing has no line that encloses anything; draw the animal's outline"));
+  }
+  if (drawn.size() > kMaxLines) {
+    return Outcome<PlanarMap>::Failure(
+        Error(FailureKind::kUnderstanding, "too-many-strokes",
+              "the drawing has " + std::to_string(drawn.size()) + " strokes, more than the " +
+                  std::to_string(kMaxLines) + " that are read; draw outlines without hatching"));
   }
   std::vector<ArrangementLine> lines = SnapEnds(drawn, diagonal);
   Diagnostics log;

@@ -99,20 +99,37 @@ std::optional<SnapTarget> NearestLine(const Polyline& points, const LineEnd& end
   return best;
 }
 
-/// The nearest end of another line (or this line's other end) within `radius`.
-std::optional<SnapTarget> NearestEnd(const std::vector<LineEnd>& ends, int self, double radius) {
-  std::optional<SnapTarget> best;
-  for (int i = 0; i < static_cast<int>(ends.size()); ++i) {
-    if (i == self) continue;
-    const double distance =
-        (ends[static_cast<std::size_t>(i)].position - ends[static_cast<std::size_t>(self)].position)
-            .norm();
-    if (distance <= radius && (!best || distance < best->distance)) {
-      best = {i, ends[static_cast<std::size_t>(i)].position, distance};
-    }
+/// Ends in the order of x, so that those near another are found in a narrow window.
+class EndIndex {
+ public:
+  explicit EndIndex(const std::vector<LineEnd>& ends) : ends_(ends), order_(ends.size()) {
+    std::iota(order_.begin(), order_.end(), 0);
+    std::stable_sort(order_.begin(), order_.end(), [&](int a, int b) { return X(a) < X(b); });
   }
-  return best;
-}
+
+  /// The nearest other end within `radius`; the first in drawing order among equals.
+  std::optional<SnapTarget> Nearest(int self, double radius) const {
+    const Vector2d& at = ends_[static_cast<std::size_t>(self)].position;
+    auto i = std::lower_bound(order_.begin(), order_.end(), at.x() - radius,
+                              [&](int e, double x) { return X(e) < x; });
+    std::optional<SnapTarget> best;
+    for (; i != order_.end() && X(*i) <= at.x() + radius; ++i) {
+      if (*i == self) continue;
+      const Vector2d& other = ends_[static_cast<std::size_t>(*i)].position;
+      const double distance = (other - at).norm();
+      const bool nearer =
+          !best || distance < best->distance || (distance == best->distance && *i < *best->end);
+      if (distance <= radius && nearer) best = {*i, other, distance};
+    }
+    return best;
+  }
+
+ private:
+  double X(int end) const { return ends_[static_cast<std::size_t>(end)].position.x(); }
+
+  const std::vector<LineEnd>& ends_;
+  std::vector<int> order_;
+};
 
 int Root(std::vector<int>& parent, int i) {
   while (parent[static_cast<std::size_t>(i)] != i) {
@@ -148,6 +165,7 @@ std::vector<ArrangementLine> SnapEnds(std::vector<ArrangementLine> lines, double
   }
   const SegmentGrid grid(std::move(segments));
   const std::vector<LineEnd> ends = EndsOf(lines);
+  const EndIndex index(ends);
   std::vector<int> cluster(ends.size());
   std::iota(cluster.begin(), cluster.end(), 0);
   std::vector<std::optional<Vector2d>> onto(ends.size());
@@ -157,7 +175,7 @@ std::vector<ArrangementLine> SnapEnds(std::vector<ArrangementLine> lines, double
     const double own_length = Length(line.points);
     // An end that meets an end is a corner, whatever else is near; ties of one line with itself
     // need a real loop.
-    if (auto end = NearestEnd(ends, static_cast<int>(e), line.snap)) {
+    if (auto end = index.Nearest(static_cast<int>(e), line.snap)) {
       const bool loop = ends[static_cast<std::size_t>(*end->end)].line == ends[e].line;
       if (!loop || own_length > 6 * line.snap) {
         cluster[static_cast<std::size_t>(Root(cluster, static_cast<int>(e)))] =

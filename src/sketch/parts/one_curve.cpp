@@ -17,7 +17,7 @@ constexpr double kShortestAlone = 0.02;
 /// ... and its limb's edge runs on from it this straight.
 constexpr double kStraightOn = std::numbers::pi / 4;
 /// The limb reaches at least this many times the width of its root away from it.
-constexpr double kLeastReach = 1.5;
+constexpr double kLeastReach = 1.2;
 /// The contour is the limb's other flank if it leaves its closed end within this angle of the drawn
 /// curve's direction.
 constexpr double kAlong = std::numbers::pi / 3.6;

@@ -60,21 +60,22 @@ bool ChordIsInside(const Polyline& ring, const Vector2d& a, const Vector2d& b) {
 ///
 /// To the paper's energy comes what it costs when the limb's own contour does not run on into its
 /// suggestive curves: the square of both turns.
-double PairEnergy(const FaceView& face, int i, int j) {
+double PairEnergy(const FaceView& face, int i, int j, double limit) {
+  constexpr double kNever = std::numeric_limits<double>::infinity();
   const SuggestiveCurve& a = face.curves[static_cast<std::size_t>(i)];
   const SuggestiveCurve& b = face.curves[static_cast<std::size_t>(j)];
-  const double reach = TangentReach(face.map);
+  const double turns = kTurnCost * (a.turn_after * a.turn_after + b.turn_before * b.turn_before);
   const Vector2d chord = b.points.front() - a.points.front();
+  if (turns >= limit || face.line.Ahead(a.arc, b.arc) < kLeastProtrusion * chord.norm())
+    return kNever;
+  const double reach = TangentReach(face.map);
   const Vector2d arrival_a = face.line.DirectionBefore(a.arc, reach);
   const Vector2d arrival_b = -face.line.DirectionAfter(b.arc, reach);
-  if (face.line.Ahead(a.arc, b.arc) < kLeastProtrusion * chord.norm())
-    return std::numeric_limits<double>::infinity();
   const double p = PValue(arrival_a, chord, a.departure) * PValue(arrival_b, -chord, b.departure);
   const double closed =
       Complete({a.points.front(), arrival_a}, {b.points.front(), arrival_b}).energy;
   const double open = Complete({a.points.back(), a.tip}, {b.points.back(), b.tip}).energy;
-  const double turns = a.turn_after * a.turn_after + b.turn_before * b.turn_before;
-  return p * (open + closed) + kTurnCost * turns;
+  return p * (open + closed) + turns;
 }
 
 /// Interval dynamic programme over the curves in walk order: the non-crossing assignment of least
@@ -131,15 +132,17 @@ class Assignment {
   std::vector<std::vector<int>> choice_;
 };
 
-/// The better of both ways to connect two curves, if the chord runs through the face.
-Candidate BestWay(const FaceView& face, int i, int j) {
-  const auto& curves = face.curves;
-  const Vector2d &a = curves[static_cast<std::size_t>(i)].points.front(),
-                 &b = curves[static_cast<std::size_t>(j)].points.front();
+/// The better of both ways to connect two curves, if it costs less than `limit` and the chord runs
+/// through the face.
+Candidate BestWay(const FaceView& face, int i, int j, double limit) {
+  const Vector2d& a = face.curves[static_cast<std::size_t>(i)].points.front();
+  const Vector2d& b = face.curves[static_cast<std::size_t>(j)].points.front();
   const double chord = (a - b).norm() / face.map.diagonal;
-  if (chord < kShortest || chord > kWidest || !ChordIsInside(face.line.points, a, b)) return {};
-  const Candidate ahead{i, j, PairEnergy(face, i, j)}, around{j, i, PairEnergy(face, j, i)};
-  return ahead.energy <= around.energy ? ahead : around;
+  if (chord < kShortest || chord > kWidest) return {};
+  const Candidate ahead{i, j, PairEnergy(face, i, j, limit)},
+      around{j, i, PairEnergy(face, j, i, limit)};
+  const Candidate best = ahead.energy <= around.energy ? ahead : around;
+  return best.energy < limit && ChordIsInside(face.line.points, a, b) ? best : Candidate{};
 }
 
 }  // namespace
@@ -155,7 +158,9 @@ Pairing PairCurves(const FaceView& face, const FindPartsOptions& options) {
   const std::vector<double> single(n, options.single_cost);
   std::vector<std::vector<Candidate>> pairs(n, std::vector<Candidate>(n));
   for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = i + 1; j < n; ++j) pairs[i][j] = BestWay(face, usable[i], usable[j]);
+    for (std::size_t j = i + 1; j < n; ++j) {
+      pairs[i][j] = BestWay(face, usable[i], usable[j], 2 * options.single_cost);
+    }
   }
   Pairing pairing;
   std::vector<bool> taken(face.curves.size(), false);
