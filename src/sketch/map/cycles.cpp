@@ -97,53 +97,67 @@ std::vector<int> Components(const PlanarMap& map) {
   return parent;
 }
 
-/// The smallest bounded cycle of another component around `point`.
-std::optional<int> EnclosingCycle(const PlanarMap& map, const std::vector<int>& component, int self,
-                                  const std::vector<Polyline>& rings,
-                                  const std::vector<Eigen::AlignedBox2d>& boxes,
-                                  const Vector2d& point) {
-  std::optional<int> best;
-  for (int c = 0; c < static_cast<int>(map.cycles.size()); ++c) {
-    const MapCycle& cycle = map.cycles[Index(c)];
-    if (cycle.area <= 0 || component[Index(map.Origin(cycle.half_edges.front()))] == self) continue;
-    if (!boxes[Index(c)].contains(point) || (best && cycle.area >= map.cycles[Index(*best)].area))
-      continue;
-    if (Contains(rings[Index(c)], point)) best = c;
+/// The bounded faces of a map by ascending area, so that the first around a point is the innermost.
+class Faces {
+ public:
+  Faces(const PlanarMap& map, const std::vector<int>& component) {
+    for (std::size_t c = 0; c < map.cycles.size(); ++c) {
+      const MapCycle& cycle = map.cycles[c];
+      if (cycle.area <= 0) continue;
+      Face face{static_cast<int>(c),
+                component[Index(map.Origin(cycle.half_edges.front()))],
+                cycle.area,
+                {},
+                {}};
+      for (const int h : cycle.half_edges) Append(face.ring, map.Points(h));
+      for (const Vector2d& p : face.ring) face.box.extend(p);
+      faces_.push_back(std::move(face));
+    }
+    std::stable_sort(faces_.begin(), faces_.end(),
+                     [](const Face& a, const Face& b) { return a.area < b.area; });
   }
-  return best;
-}
+
+  /// The smallest face around `point` that does not belong to `component`.
+  std::optional<int> Around(const Vector2d& point, int component) const {
+    for (const Face& face : faces_) {
+      if (face.component != component && face.box.contains(point) && Contains(face.ring, point))
+        return face.cycle;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  struct Face {
+    int cycle = 0, component = 0;
+    double area = 0;
+    Polyline ring;
+    Eigen::AlignedBox2d box;
+  };
+  std::vector<Face> faces_;
+};
 
 void Classify(PlanarMap& map) {
   const std::vector<int> component = Components(map);
-  std::vector<Polyline> rings(map.cycles.size());
-  std::vector<Eigen::AlignedBox2d> boxes(map.cycles.size());
-  for (std::size_t c = 0; c < map.cycles.size(); ++c) {
-    if (map.cycles[c].area <= 0) continue;
-    for (const int h : map.cycles[c].half_edges) Append(rings[c], map.Points(h));
-    for (const Vector2d& p : rings[c]) boxes[c].extend(p);
-  }
-  std::vector<bool> is_inside(map.nodes.size(), false);
+  const Faces faces(map, component);
   std::vector<std::optional<int>> enclosing(map.nodes.size());
   for (MapCycle& cycle : map.cycles) {
     if (cycle.area > 0) continue;
     const int node = map.Origin(cycle.half_edges.front());
     const int self = component[Index(node)];
-    cycle.inside =
-        EnclosingCycle(map, component, self, rings, boxes, map.nodes[Index(node)].position);
+    cycle.inside = faces.Around(map.nodes[Index(node)].position, self);
     cycle.kind = cycle.inside ? CycleKind::kHole : CycleKind::kOuter;
-    is_inside[Index(self)] = cycle.inside.has_value();
     enclosing[Index(self)] = cycle.inside;
   }
   for (MapCycle& cycle : map.cycles) {
     if (cycle.area <= 0) continue;
-    const auto outside = std::any_of(cycle.half_edges.begin(), cycle.half_edges.end(), [&](int h) {
+    const bool outside = std::any_of(cycle.half_edges.begin(), cycle.half_edges.end(), [&](int h) {
       return map.cycles[Index(map.cycle[Index(PlanarMap::Twin(h))])].area <= 0;
     });
-    const int self = component[Index(map.Origin(cycle.half_edges.front()))];
-    cycle.kind = !outside                 ? CycleKind::kOther
-                 : is_inside[Index(self)] ? CycleKind::kIsland
-                                          : CycleKind::kBorder;
-    if (cycle.kind == CycleKind::kIsland) cycle.inside = enclosing[Index(self)];
+    cycle.inside = enclosing[Index(component[Index(map.Origin(cycle.half_edges.front()))])];
+    cycle.kind = !outside       ? CycleKind::kOther
+                 : cycle.inside ? CycleKind::kIsland
+                                : CycleKind::kBorder;
+    if (cycle.kind != CycleKind::kIsland) cycle.inside.reset();
   }
 }
 
