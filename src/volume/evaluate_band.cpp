@@ -97,7 +97,7 @@ void ConnectBlocks(Band& band) {
   for (std::size_t b = 0; b < band.size(); ++b) {
     for (std::size_t side = 0; side < 6; ++side) {
       openvdb::Coord origin = band.origins[b];
-      origin[static_cast<int>(side / 2)] += side % 2 == 0 ? -kBlockSide : kBlockSide;
+      origin[side / 2] += side % 2 == 0 ? -kBlockSide : kBlockSide;
       const auto found = index.find(origin);
       band.neighbours[b][side] = found == index.end() ? kNoBlock : found->second;
     }
