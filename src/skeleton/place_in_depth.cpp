@@ -130,8 +130,21 @@ double FreeRadius(const CreaturePart& limb, const Ring& parent) {
   return radius;
 }
 
+/// A parent by its surface and, in its own plane, by its outline, which is what it will be fitted
+/// to.
+struct Support {
+  const PartSurface& surface;
+  const Ring& outline;
+
+  double Distance(const Vector2d& point, double z) const {
+    const double distance = surface.Distance(point, z);
+    if (z != surface.z()) return distance;
+    return std::min(distance, SignedDistanceToRing(outline, point));
+  }
+};
+
 /// Whether the part, moved to depth z, reaches into its parent.
-bool Holds(const CreaturePart& part, double z, const PartSurface& parent) {
+bool Holds(const CreaturePart& part, double z, const Support& parent) {
   bool holds = false;
   ForEachDisc(part, [&](const SkeletonVertex& v) {
     holds = holds || parent.Distance(v.position, z) < (1 - kHold) * v.radius;
@@ -141,7 +154,7 @@ bool Holds(const CreaturePart& part, double z, const PartSurface& parent) {
 
 /// Depth nearest to `wanted`, on the way from it to `safe`, at which the part holds; `safe` when it
 /// does nowhere.
-double HeldDepth(const CreaturePart& part, const PartSurface& parent, double wanted, double safe) {
+double HeldDepth(const CreaturePart& part, const Support& parent, double wanted, double safe) {
   if (Holds(part, wanted, parent)) return wanted;
   double loose = wanted, held = safe;
   for (int i = 0; i < kHalvings; ++i) {
@@ -186,8 +199,9 @@ class Placer {
     part.z = parent.z;
     if (role == PartRole::kForeground) part.z = LimbDepth(parent, surface, part);
     if (role == PartRole::kIsland) part.z = IslandDepth(surface, part);
-    part.z = HeldDepth(part, surface, part.z, parent.z);
-    if (!Holds(part, part.z, surface)) {
+    const Support support{surface, parts_.parts[Index(parent.part)].outline.points};
+    part.z = HeldDepth(part, support, part.z, parent.z);
+    if (!Holds(part, part.z, support)) {
       const SkeletonVertex disc = LargestDisc(part);
       diagnostics_.push_back(At(
           Warning("part-loose", fmt::format("part {} does not reach into part {} and may come off; "
@@ -212,7 +226,7 @@ class Placer {
     const double shallow = hit - options_.embed_min * slope;
     if (apart <= flush) return flush;
     if (apart <= shallow) return apart;
-    const double z = HeldDepth(limb, surface, apart, shallow);
+    const double z = HeldDepth(limb, {surface, outline}, apart, shallow);
     diagnostics_.push_back(
         At(Note("pair-close",
                 fmt::format("{} sits {:.2f} of its radius further out than its parent's surface "

@@ -130,7 +130,7 @@ TEST(FitToDrawing, EndsNoWorseThanItBegan) {
   EXPECT_LT(after_sum, 0.15 * before_sum);
 }
 
-TEST(FitToDrawing, KeepsDepthsAndIgnoresSharedPieces) {
+TEST(FitToDrawing, KeepsDepthsAndChains) {
   const testing::Drawing drawing = testing::MakeBeast();
   const Creature creature = Placed(drawing);
   const auto fitted = FitToDrawing(drawing.parts, creature);
@@ -145,10 +145,21 @@ TEST(FitToDrawing, KeepsDepthsAndIgnoresSharedPieces) {
       }
     }
   }
-  testing::Drawing shared = testing::OnlyBody(testing::Capsule({-3, 0}, {3, 0}, 1));
+}
+
+TEST(FitToDrawing, JointsWeighLittleAndOtherSharedPiecesCount) {
+  const testing::Drawing drawn = testing::OnlyBody(testing::Ear());
+  testing::Drawing shared = drawn;
   for (OutlineKind& kind : shared.parts.parts[0].outline.kinds) kind = OutlineKind::kShared;
-  const Creature start = Placed(shared);
-  EXPECT_EQ(*FitToDrawing(shared.parts, start), start);
+  const Creature start = Placed(drawn);
+  EXPECT_EQ(*FitToDrawing(shared.parts, start), *FitToDrawing(drawn.parts, start));
+  // With a child whose outline runs all along it, nothing of it is a silhouette.
+  shared.Add(testing::Ear(), PartRole::kSagittal, 0);
+  Creature covered = start;
+  covered.parts.push_back(start.parts[0]);
+  covered.parts[1].part = 1;
+  covered.parts[1].parent = 0;
+  EXPECT_EQ(MeasureFit(shared.parts, covered)[0], FitError{});
 }
 
 TEST(FitToDrawing, ThreadsDoNotChangeTheResult) {
