@@ -4,7 +4,6 @@
 #include <openvdb/io/Archive.h>
 #include <openvdb/tools/ChangeBackground.h>
 #include <openvdb/tree/LeafManager.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +16,7 @@
 #include "io/file_writer.h"
 #include "lascaux/io/content_hash.h"
 #include "lascaux/io/output_file.h"
+#include "volume/arena.h"
 
 namespace lascaux {
 namespace {
@@ -120,8 +120,7 @@ Diagnostics WriteVdb(const std::filesystem::path& path, const openvdb::FloatGrid
   std::string bytes;
   try {
     openvdb::initialize();
-    tbb::task_arena arena(execution.threads > 0 ? execution.threads : tbb::task_arena::automatic);
-    arena.execute([&] {
+    RunInArena(execution, [&] {
       bytes = MemoryArchive().Encode(SceneGrid(grid, options.unit), FileMetadata(options));
     });
   } catch (const std::exception& error) {

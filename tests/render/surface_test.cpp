@@ -127,7 +127,9 @@ TEST(Surface, RaysAroundAFreeLengthMeetNothingWithinIt) {
     const Eigen::Vector3f target = kCenter + random.Uniform(0, 70) * random.Direction();
     const Ray middle{eye, (target - eye).normalized()};
     constexpr float kSpread = 0.02F;
-    const float free = surface.FreeLength(middle, kSpread);
+    const float free = surface.FreeLength(middle, kSpread, 0);
+    const float narrow = surface.FreeLength(middle, 0.5F * kSpread, std::min(free, 1e9F));
+    EXPECT_GE(narrow, free) << i;
     const Eigen::Vector3f aside = middle.direction.cross(random.Direction()).normalized();
     const Ray ray{eye, (middle.direction + kSpread * aside).normalized()};
     const auto t = surface.Hit(ray, 0);

@@ -26,6 +26,8 @@ constexpr float kClose = 0.02F;
 constexpr int kRefinements = 2;
 /// Share of the band within which the next step looks at the band first.
 constexpr float kBandEdge = 0.95F;
+/// Steps of less than this many strides are left to the single rays.
+constexpr float kLeastShare = 0.5F;
 constexpr int kMaxSteps = 2000;  // far more than any ray needs: ends a march through a broken grid
 
 /// Part of the ray within the box, or an empty range.
@@ -151,13 +153,13 @@ std::optional<float> Surface::Hit(const Ray& ray, float from) const noexcept {
   return std::nullopt;
 }
 
-float Surface::FreeLength(const Ray& ray, float spread) const noexcept {
+float Surface::FreeLength(const Ray& ray, float spread, float from) const noexcept {
   const Eigen::Vector3f middle = 0.5F * (low_ + high_);
   const float last = (middle - ray.origin).norm() + (high_ - middle).norm();
-  float t = 0;
+  float t = from;
   for (int step = 0; step < kMaxSteps && t < last; ++step) {
     const float free = coarse_->At(ray.At(t)) - kCoarseError * coarse_->stride() - spread * t;
-    if (free < coarse_->stride()) return t;
+    if (free < kLeastShare * coarse_->stride()) return t;
     t += free;
   }
   return std::numeric_limits<float>::infinity();

@@ -36,8 +36,8 @@ class Surface {
   std::optional<float> Hit(const Ray& ray, float from) const noexcept;
 
   /// How far all rays are free that differ from this one's direction by less than a tangent of
-  /// `spread`; infinite if none of them can meet the surface.
-  float FreeLength(const Ray& ray, float spread) const noexcept;
+  /// `spread`; infinite if none of them can meet the surface. `from` is known already.
+  float FreeLength(const Ray& ray, float spread, float from) const noexcept;
 
   /// Unit normal near the surface: gradient of the quadratic B-spline over 27 voxels, continuous,
   /// with the grid's noise smoothed away.

@@ -1,0 +1,210 @@
+#include "volume/render/painter.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "volume/render/tone.h"
+
+namespace lascaux {
+namespace {
+
+constexpr int kBlock = 8;  // pixels that share the way through empty space, and a task
+constexpr int kQuad = 2;   // pixels that share the rest of it
+constexpr float kNothing = std::numeric_limits<float>::infinity();
+
+/// Places inside a pixel that has an edge in it: a rotated grid, so that edges near either axis get
+/// all shades.
+constexpr std::array<std::array<float, 2>, 8> kEdgePlaces = {{{0.0625F, 0.4375F},
+                                                              {0.1875F, 0.9375F},
+                                                              {0.3125F, 0.1875F},
+                                                              {0.4375F, 0.6875F},
+                                                              {0.5625F, 0.0625F},
+                                                              {0.6875F, 0.5625F},
+                                                              {0.8125F, 0.8125F},
+                                                              {0.9375F, 0.3125F}}};
+
+/// Two places belong to one sheet if one lies within this many voxels of the other's tangent plane
+/// and their normals are this close; between neighbours that do not, there is an edge.
+constexpr float kSheetVoxels = 2.5F;
+constexpr float kSheetCosine = 0.7F;
+/// Light is taken over from neighbours whose normals are this close.
+constexpr float kSmoothCosine = 0.94F;
+
+bool OnOneSheet(const std::optional<Sample>& a, const std::optional<Sample>& b,
+                float cosine = kSheetCosine) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  return a->normal.dot(b->normal) > cosine &&
+         std::abs(a->normal.dot(b->place - a->place)) < kSheetVoxels;
+}
+
+float Middle(int pixel) { return static_cast<float>(pixel) + 0.5F; }
+
+}  // namespace
+
+Painter::Painter(const Scene& scene, const RenderOptions& options)
+    : scene_(scene), width_(options.width), height_(options.height) {
+  free_.resize(QuadIndex(width_ - 1, height_ - 1) + 1);
+  const std::size_t count = Index(width_ - 1, height_ - 1) + 1;
+  samples_.resize(count);
+  lighting_.resize(count);
+  image_ = {width_, height_, std::vector<std::uint8_t>(4 * count, 255)};
+}
+
+Image Painter::TakeImage() { return std::move(image_); }
+
+std::size_t Painter::Index(int x, int y) const noexcept {
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+         static_cast<std::size_t>(x);
+}
+
+std::size_t Painter::QuadIndex(int x, int y) const noexcept {
+  const int across = (width_ + kQuad - 1) / kQuad;
+  return static_cast<std::size_t>(y / kQuad) * static_cast<std::size_t>(across) +
+         static_cast<std::size_t>(x / kQuad);
+}
+
+template <typename PerPart>
+void Painter::ForParts(const Block& block, int size, const PerPart& per_part) {
+  for (int y = block.top; y < block.bottom; y += size) {
+    for (int x = block.left; x < block.right; x += size) {
+      per_part(Block{x, y, std::min(x + size, block.right), std::min(y + size, block.bottom)});
+    }
+  }
+}
+
+template <typename PerBlock>
+void Painter::ForBlocks(const PerBlock& per_block) {
+  const int rows = (height_ + kBlock - 1) / kBlock;
+  tbb::parallel_for(tbb::blocked_range<int>(0, rows), [&](const auto& range) {
+    const Block band{0, range.begin() * kBlock, width_, std::min(range.end() * kBlock, height_)};
+    ForParts(band, kBlock, per_block);
+  });
+}
+
+void Painter::PaintMiddles() {
+  ForBlocks([this](const Block& block) {
+    TraceBlock(block);
+    GatherBlock(block);
+    ForParts(block, 1, [this](const Block& pixel) {
+      const int x = pixel.left, y = pixel.top;
+      const std::size_t i = Index(x, y);
+      Put(x, y,
+          samples_[i] ? scene_.ModelLight(*samples_[i], lighting_[i], Middle(x), Middle(y))
+                      : scene_.BackdropLight(Middle(x), Middle(y)));
+    });
+  });
+}
+
+void Painter::PaintEdges() {
+  ForBlocks([this](const Block& block) {
+    ForParts(block, 1, [this](const Block& pixel) {
+      if (IsEdge(pixel.left, pixel.top)) {
+        Put(pixel.left, pixel.top, EdgeLight(pixel.left, pixel.top));
+      }
+    });
+  });
+}
+
+void Painter::TraceBlock(const Block& block) {
+  const auto free_length = [this](const Block& part, int size, float from) {
+    const float half = 0.5F * static_cast<float>(size);
+    return scene_.FreeLength(static_cast<float>(part.left) + half,
+                             static_cast<float>(part.top) + half, half, from);
+  };
+  const float free = free_length(block, kBlock, 0);
+  ForParts(block, kQuad, [&](const Block& quad) {
+    const float quad_free = free < kNothing ? free_length(quad, kQuad, free) : kNothing;
+    free_[QuadIndex(quad.left, quad.top)] = quad_free;
+    if (!(quad_free < kNothing)) return;
+    ForParts(quad, 1, [&](const Block& pixel) {
+      samples_[Index(pixel.left, pixel.top)] =
+          scene_.Trace(Middle(pixel.left), Middle(pixel.top), quad_free);
+    });
+  });
+}
+
+void Painter::GatherAt(int x, int y) {
+  const std::size_t i = Index(x, y);
+  if (samples_[i]) lighting_[i] = scene_.Gather(*samples_[i]);
+}
+
+/// Gathers light at every other pixel, and between them takes the mean of neighbours on the same
+/// sheet.
+void Painter::GatherBlock(const Block& block) {
+  const auto skips_x = [&](int x) { return (x - block.left) % 2 == 1 && x != block.right - 1; };
+  const auto skips_y = [&](int y) { return (y - block.top) % 2 == 1 && y != block.bottom - 1; };
+  ForParts(block, 1, [&](const Block& pixel) {
+    if (!skips_x(pixel.left) && !skips_y(pixel.top)) GatherAt(pixel.left, pixel.top);
+  });
+  ForParts(block, 1, [&](const Block& pixel) {
+    const int x = pixel.left, y = pixel.top;
+    const int dx = skips_x(x) ? 1 : 0, dy = skips_y(y) ? 1 : 0;
+    if (dx + dy == 0 || !samples_[Index(x, y)]) return;
+    lighting_[Index(x, y)] = MeanLighting(x, y, dx, dy);
+  });
+}
+
+Lighting Painter::MeanLighting(int x, int y, int dx, int dy) {
+  const auto& here = samples_[Index(x, y)];
+  Lighting sum;
+  int count = 0;
+  for (const int ny : {y - dy, y + dy}) {
+    for (const int nx : {x - dx, x + dx}) {
+      const std::size_t there = Index(nx, ny);
+      if (!OnOneSheet(here, samples_[there], kSmoothCosine)) continue;
+      sum += lighting_[there];
+      ++count;
+    }
+  }
+  if (count == 0) return scene_.Gather(*here);
+  return sum / static_cast<float>(count);
+}
+
+bool Painter::IsEdge(int x, int y) const {
+  const auto& here = samples_[Index(x, y)];
+  return (x > 0 && !OnOneSheet(here, samples_[Index(x - 1, y)])) ||
+         (x + 1 < width_ && !OnOneSheet(here, samples_[Index(x + 1, y)])) ||
+         (y > 0 && !OnOneSheet(here, samples_[Index(x, y - 1)])) ||
+         (y + 1 < height_ && !OnOneSheet(here, samples_[Index(x, y + 1)]));
+}
+
+/// Mean over the pixel; each sheet in it is lit once, since light varies little within a pixel.
+Color Painter::EdgeLight(int x, int y) const {
+  struct Sheet {
+    std::optional<Sample> sample;
+    Color light;
+  };
+  std::array<Sheet, kEdgePlaces.size()> sheets;
+  std::size_t count = 0;
+  const float free = free_[QuadIndex(x, y)];
+  Color sum(0, 0, 0);
+  for (const auto& [dx, dy] : kEdgePlaces) {
+    const float px = static_cast<float>(x) + dx, py = static_cast<float>(y) + dy;
+    std::optional<Sample> sample;
+    if (free < kNothing) sample = scene_.Trace(px, py, free);
+    const auto end = sheets.begin() + static_cast<std::ptrdiff_t>(count);
+    const auto sheet = std::find_if(
+        sheets.begin(), end, [&](const Sheet& known) { return OnOneSheet(known.sample, sample); });
+    if (sheet == end) {
+      ++count;
+      *sheet = {sample, sample ? scene_.ModelLight(*sample, scene_.Gather(*sample), px, py)
+                               : scene_.BackdropLight(px, py)};
+    }
+    sum += sheet->light;
+  }
+  return sum / static_cast<float>(kEdgePlaces.size());
+}
+
+void Painter::Put(int x, int y, const Color& light) {
+  const auto bytes = Encode(light);
+  std::copy(bytes.begin(), bytes.end(),
+            image_.rgba.begin() + static_cast<std::ptrdiff_t>(4 * Index(x, y)));
+}
+
+}  // namespace lascaux

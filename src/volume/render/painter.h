@@ -1,0 +1,56 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "lascaux/volume/image.h"
+#include "volume/render/scene.h"
+
+namespace lascaux {
+
+/// Paints a picture in two rounds: one ray through the middle of each pixel, then eight where
+/// neighbours differ.
+///
+/// Blocks of pixels are independent within a round, so the picture does not depend on the number of
+/// threads.
+class Painter {
+ public:
+  /// The scene must outlive it.
+  Painter(const Scene& scene, const RenderOptions& options);
+
+  void PaintMiddles();
+  void PaintEdges();  ///< after PaintMiddles()
+  Image TakeImage();
+
+ private:
+  /// A square of pixels; `right` and `bottom` are past its end.
+  struct Block {
+    int left, top, right, bottom;
+  };
+
+  template <typename PerBlock>
+  void ForBlocks(const PerBlock& per_block);
+  /// Cuts a block in squares of `size` pixels.
+  template <typename PerPart>
+  static void ForParts(const Block& block, int size, const PerPart& per_part);
+
+  void TraceBlock(const Block& block);
+  void GatherBlock(const Block& block);
+  void GatherAt(int x, int y);
+  Lighting MeanLighting(int x, int y, int dx, int dy);
+  bool IsEdge(int x, int y) const;
+  Color EdgeLight(int x, int y) const;
+  void Put(int x, int y, const Color& light);
+
+  std::size_t Index(int x, int y) const noexcept;
+  std::size_t QuadIndex(int x, int y) const noexcept;
+
+  const Scene& scene_;
+  int width_, height_;
+  std::vector<float> free_;  ///< how far the rays of each quad of pixels are free
+  std::vector<std::optional<Sample>> samples_;
+  std::vector<Lighting> lighting_;
+  Image image_;
+};
+
+}  // namespace lascaux

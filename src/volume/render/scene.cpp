@@ -1,0 +1,43 @@
+#include "volume/render/scene.h"
+
+#include "volume/render/tone.h"
+
+namespace lascaux {
+namespace {
+
+constexpr int kCoarseNodes = 96;  // along the model's longest side
+
+}  // namespace
+
+Scene::Scene(const openvdb::FloatGrid& grid, const RenderOptions& options)
+    : coarse_(grid, kCoarseNodes),
+      surface_(grid, coarse_),
+      camera_(options, coarse_.SolidNodes()),
+      studio_(coarse_, camera_),
+      shadow_(studio_, coarse_),
+      middle_(0.5F * static_cast<float>(options.width), 0.5F * static_cast<float>(options.height)) {
+}
+
+float Scene::FreeLength(float x, float y, float reach, float from) const noexcept {
+  // The diagonal, and a little for rays that are not of length 1 before they are normalised.
+  const float spread = 1.5F * reach * camera_.pixel();
+  return surface_.FreeLength(camera_.Through(x, y), spread, from);
+}
+
+std::optional<Sample> Scene::Trace(float x, float y, float from) const noexcept {
+  const Ray ray = camera_.Through(x, y);
+  const std::optional<float> t = surface_.Hit(ray, from);
+  if (!t) return std::nullopt;
+  return Sample{ray.At(*t), surface_.Normal(ray.At(*t))};
+}
+
+Color Scene::ModelLight(const Sample& sample, const Lighting& lighting, float x, float y) const {
+  return ToneMapped(studio_.Shade(lighting, sample.normal, -camera_.Through(x, y).direction));
+}
+
+Color Scene::BackdropLight(float x, float y) const {
+  const Eigen::Vector2f p = (Eigen::Vector2f(x, y) - middle_) / middle_.maxCoeff();
+  return Shadowed(Backdrop(p.x(), p.y()), shadow_.At(camera_.Through(x, y)));
+}
+
+}  // namespace lascaux

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <openvdb/openvdb.h>
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "lascaux/volume/render.h"
+#include "volume/render/camera.h"
+#include "volume/render/coarse_field.h"
+#include "volume/render/ground_shadow.h"
+#include "volume/render/light.h"
+#include "volume/render/surface.h"
+
+namespace lascaux {
+
+/// Where a ray met the model.
+struct Sample {
+  Eigen::Vector3f place, normal;
+};
+
+/// All that is the same for every pixel: the model, the camera, the lights. Places in a picture are
+/// in pixels.
+class Scene {
+ public:
+  /// The grid must outlive it.
+  Scene(const openvdb::FloatGrid& grid, const RenderOptions& options);
+
+  /// How far the rays around (x, y) are free, up to `reach` pixels away in x and in y, given that
+  /// they are up to `from`; infinite if none of them meets the model.
+  float FreeLength(float x, float y, float reach, float from) const noexcept;
+
+  /// What is seen at a place; everything before `from` is known to be free.
+  std::optional<Sample> Trace(float x, float y, float from) const noexcept;
+
+  Lighting Gather(const Sample& sample) const noexcept {
+    return studio_.Gather(sample.place, sample.normal);
+  }
+
+  /// Light of the picture where the model is seen, and where it is not.
+  Color ModelLight(const Sample& sample, const Lighting& lighting, float x, float y) const;
+  Color BackdropLight(float x, float y) const;
+
+ private:
+  CoarseField coarse_;
+  Surface surface_;
+  Camera camera_;
+  Studio studio_;
+  GroundShadow shadow_;
+  Eigen::Vector2f middle_;  ///< of the picture
+};
+
+}  // namespace lascaux
