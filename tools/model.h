@@ -1,7 +1,7 @@
 #pragma once
 
-#include <openvdb/openvdb.h>
-
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,8 +17,8 @@
 #include "lascaux/sketch/sketch.h"
 #include "lascaux/volume/check_mesh.h"
 #include "lascaux/volume/fidelity.h"
+#include "lascaux/volume/image.h"
 #include "lascaux/volume/mesh.h"
-#include "lascaux/volume/render.h"
 
 namespace lascaux {
 
@@ -26,6 +26,16 @@ namespace lascaux {
 struct Timings {
   std::vector<std::pair<std::string, double>> stages;
   double total = 0;  ///< from the first byte read to the last file written, the report left out
+};
+
+/// The level set of a run; grid.h has it, and with it OpenVDB, which takes seconds to compile.
+struct Grid;
+
+/// What the report says of the level set.
+struct GridFacts {
+  double voxel_size = 0;  ///< mm
+  std::int64_t active_voxels = 0;
+  std::int64_t bytes = 0;  ///< in memory
 };
 
 /// Everything that a run made, from the drawing to the measured mesh. What an error prevented is
@@ -40,7 +50,8 @@ struct Model {
   std::optional<Creature> creature;
   std::optional<ModelFrame> frame;
   std::optional<Field> field;
-  openvdb::FloatGrid::Ptr grid;
+  std::shared_ptr<Grid> grid;
+  std::optional<GridFacts> grid_facts;
   std::optional<Mesh> mesh;
   std::optional<MeshFacts> facts;
   std::optional<Fidelity> fidelity;

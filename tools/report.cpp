@@ -1,6 +1,6 @@
 #include "report.h"
 
-#include <algorithm>
+#include <optional>
 
 #include "json_values.h"
 
@@ -73,11 +73,11 @@ Json PartsJson(const Model& model) {
   return json;
 }
 
-Json GridJson(const Model& model) {
-  if (!model.grid) return nullptr;
-  return {{"voxel_size", model.grid->voxelSize()[0]},
-          {"active_voxels", model.grid->activeVoxelCount()},
-          {"bytes", model.grid->memUsage()}};
+Json GridJson(const std::optional<GridFacts>& facts) {
+  if (!facts) return nullptr;
+  return {{"voxel_size", facts->voxel_size},
+          {"active_voxels", facts->active_voxels},
+          {"bytes", facts->bytes}};
 }
 
 Json MeshJson(const std::optional<MeshFacts>& facts) {
@@ -115,7 +115,7 @@ std::string ReportText(const Model& model, ReportTimings timings) {
     json["body"] = {{"id", model.graph->body}, {"score_margin", model.graph->body_margin}};
   json["parts"] = PartsJson(model);
   json["diagnostics"] = DiagnosticsJson(model.diagnostics);
-  json["grid"] = GridJson(model);
+  json["grid"] = GridJson(model.grid_facts);
   json["mesh"] = MeshJson(model.facts);
   json["fidelity"] = FidelityJson(model.fidelity);
   if (timings == ReportTimings::kWith) json["timings_ms"] = TimingsJson(model.timings);

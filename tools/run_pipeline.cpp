@@ -2,14 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <exception>
-#include <limits>
+#include <memory>
 #include <new>
 #include <utility>
 
+#include "grid.h"
 #include "lascaux/volume/extract_mesh.h"
 #include "lascaux/volume/level_set.h"
+#include "lascaux/volume/render.h"
 #include "settle.h"
 #include "stopwatch.h"
 
@@ -88,14 +89,19 @@ class Run {
     }
     const Stopwatch watch(model_.timings, "volume");
     execution_.Report("filling the volume", 0);
-    return Keep(Rasterise(*model_.field, {.voxel_size = options_.VoxelSize()}, execution_),
-                model_.grid);
+    auto grid = std::make_shared<Grid>();
+    if (!Keep(Rasterise(*model_.field, {.voxel_size = options_.VoxelSize()}, execution_),
+              grid->surface))
+      return false;
+    model_.grid_facts = FactsOf(*grid->surface);
+    model_.grid = std::move(grid);
+    return true;
   }
 
   bool MakeMesh() {
     const Stopwatch watch(model_.timings, "mesh");
     execution_.Report("extracting the mesh", 0);
-    if (!Keep(ExtractMesh(*model_.grid, execution_), model_.mesh)) return false;
+    if (!Keep(ExtractMesh(*model_.grid->surface, execution_), model_.mesh)) return false;
     StandOnGround(model_);
     return true;
   }
@@ -114,7 +120,7 @@ class Run {
   bool RenderPreview() {
     const Stopwatch watch(model_.timings, "render");
     execution_.Report("rendering the preview", 0);
-    return Keep(Render(*model_.grid, options_.render, execution_), model_.preview);
+    return Keep(Render(*model_.grid->surface, {}, execution_), model_.preview);
   }
 
   std::string_view bytes_;

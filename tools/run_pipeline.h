@@ -27,7 +27,6 @@ struct PipelineOptions {
   ExtractSkeletonsOptions skeletons;
   PlaceInDepthOptions placement;
   FitOptions fit;
-  RenderOptions render;
   double blend = 4;                  ///< Ricci exponent between a part and its parent
   double size = 100;                 ///< longest side of the model, mm
   int resolution = 256;              ///< voxels along the longest side

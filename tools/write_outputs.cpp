@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iterator>
 
+#include "grid.h"
 #include "lascaux/io/output_file.h"
 #include "lascaux/io/write_ply.h"
 #include "lascaux/io/write_png.h"
@@ -20,8 +21,8 @@ Diagnostics Write(const Model& model, OutputKind kind, const std::filesystem::pa
                   const WriteOptions& options, const Execution& execution) {
   switch (kind) {
     case OutputKind::kVdb:
-      return WriteVdb(path, *model.grid, {.unit = options.unit, .metadata = options.metadata},
-                      execution);
+      return WriteVdb(path, *model.grid->surface,
+                      {.unit = options.unit, .metadata = options.metadata}, execution);
     case OutputKind::kStl:
       return WriteStl(path, *model.mesh);
     case OutputKind::kPly:
