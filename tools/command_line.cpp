@@ -109,6 +109,12 @@ void AddBuild(CLI::App& app, CommandLine& line) {
       ->check(Between(1, kLargestBlend))
       ->capture_default_str()
       ->type_name("N");
+  app.add_option("--fit", pipeline.outline_fit,
+                 "outline: the side view is the drawing (default); none: medial axes as they are, "
+                 "to compare")
+      ->transform(CLI::Transformer(std::map<std::string, OutlineFit>{
+          {"outline", OutlineFit::kExact}, {"none", OutlineFit::kNone}}))
+      ->type_name("HOW");
   app.add_option("--units", options.write.unit, "Unit of .vdb and .ply: mm, cm or m (default m)")
       ->transform(CLI::Transformer(std::map<std::string, Unit>{
           {"mm", Unit::kMillimetre}, {"cm", Unit::kCentimetre}, {"m", Unit::kMetre}}))

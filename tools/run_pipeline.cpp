@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "grid.h"
+#include "lascaux/skeleton/normalise_outline.h"
 #include "lascaux/volume/extract_mesh.h"
 #include "lascaux/volume/level_set.h"
 #include "lascaux/volume/render.h"
@@ -74,6 +75,7 @@ class Run {
   }
 
   bool Fit() {
+    if (options_.outline_fit == OutlineFit::kNone) return true;
     const Stopwatch watch(model_.timings, "fit");
     execution_.Report("fitting it to the drawing", 0);
     return Keep(FitToDrawing(*model_.parts, *model_.creature, options_.fit, execution_),
@@ -86,6 +88,10 @@ class Run {
       execution_.Report("building the field", 0);
       model_.frame = FrameOf(*model_.parts, *model_.graph, options_.size);
       model_.field = MakeField(*model_.creature, *model_.frame, options_.blend);
+      if (options_.outline_fit == OutlineFit::kExact) {
+        const DrawnOutline drawn{*model_.parts, *model_.graph, *model_.frame};
+        model_.field = NormaliseOutline(std::move(*model_.field), drawn, execution_);
+      }
     }
     const Stopwatch watch(model_.timings, "volume");
     execution_.Report("filling the volume", 0);

@@ -18,6 +18,12 @@ enum class LastStage : std::uint8_t {
   kPreview,   ///< and a picture of it is rendered
 };
 
+/// How the model meets the drawing's outline.
+enum class OutlineFit : std::uint8_t {
+  kNone,   ///< discs of the medial axis as they are: raw SCALIS with caps
+  kExact,  ///< fitted, and what the fit leaves normalised away
+};
+
 /// The options of every stage, and what no single stage owns.
 struct PipelineOptions {
   ReadSvgOptions read;
@@ -27,6 +33,7 @@ struct PipelineOptions {
   ExtractSkeletonsOptions skeletons;
   PlaceInDepthOptions placement;
   FitOptions fit;
+  OutlineFit outline_fit = OutlineFit::kExact;
   double blend = 4;                  ///< Ricci exponent between a part and its parent
   double size = 100;                 ///< longest side of the model, mm
   int resolution = 256;              ///< voxels along the longest side

@@ -215,7 +215,16 @@ BallBounds BallPass::Finish() {
 
 BallBounds CompiledField::BoundOnBall(const Ball& ball, const ActiveSet& in,
                                       ActiveSet reuse) const {
-  return BallPass(*data_, ball, std::move(reuse.primitives)).Run(in);
+  BallBounds found = BallPass(*data_, ball, std::move(reuse.primitives)).Run(in);
+  if (data_->gain) {
+    const Eigen::Vector2d reach = Eigen::Vector2d::Constant(ball.radius),
+                          center = ball.center.head<2>();
+    const LogGainRange gain =
+        RangeOf(*data_->gain, {Eigen::Vector2d(center - reach), Eigen::Vector2d(center + reach)});
+    found.bounds.lower *= static_cast<float>(std::exp(gain.lower));
+    found.bounds.upper *= static_cast<float>(std::exp(gain.upper));
+  }
+  return found;
 }
 
 }  // namespace lascaux

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "block_kernel.h"
@@ -47,6 +48,7 @@ struct CompiledField::Data {
   std::vector<CompiledPart> parts;
   std::uint32_t depths = 1;
   internal::RicciExponent chain_exponent{1}, part_exponent{1};
+  std::optional<PlanarGain> gain;
   Eigen::AlignedBox3d bounds;
   Isa isa = Isa::kBaseline;
   const internal::BlockKernel* kernel = nullptr;

@@ -71,6 +71,7 @@ CompiledField::CompiledField(const Field& field, Isa isa) {
   data->isa = isa;
   data->kernel = &internal::KernelFor(isa);
   data->bounds = Bounds(field);
+  data->gain = field.gain;
   data->chain_exponent = internal::RicciExponent(field.chain_exponent);
   data->part_exponent = internal::RicciExponent(field.part_exponent);
   std::vector<int> place(field.parts.size());

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <vector>
 
 #include "compiled_data.h"
@@ -138,6 +139,44 @@ void ForTiles(const CompiledField::Data& data, const PointBlock& points, const P
   }
 }
 
+/// True when the gain changes anything on the block.
+bool HasGain(const CompiledField::Data& data, const PointBlock& points) {
+  if (!data.gain || points.x.empty()) return false;
+  const auto [left, right] = std::minmax_element(points.x.begin(), points.x.end());
+  const auto [bottom, top] = std::minmax_element(points.y.begin(), points.y.end());
+  const Eigen::Vector2d low(static_cast<double>(*left), static_cast<double>(*bottom));
+  const Eigen::Vector2d high(static_cast<double>(*right), static_cast<double>(*top)),
+      origin = points.origin.head<2>();
+  const LogGainRange range =
+      RangeOf(*data.gain, {Eigen::Vector2d(origin + low), Eigen::Vector2d(origin + high)});
+  return range.lower < 0 || range.upper > 0;
+}
+
+/// The gain at point `i` of a block. Blocks run along z first: the place is often the one before.
+class GainAlong {
+ public:
+  GainAlong(const PlanarGain& gain, const PointBlock& points) : gain_(gain), points_(points) {}
+
+  const LogGain& At(std::size_t i) {
+    const float x = points_.x[i], y = points_.y[i];
+    if (i == 0 || x != x_ || y != y_) {
+      last_ = EvaluateLogGain(gain_,
+                              points_.origin.head<2>() +
+                                  Eigen::Vector2d(static_cast<double>(x), static_cast<double>(y)));
+      last_.value = std::exp(last_.value);
+      x_ = x;
+      y_ = y;
+    }
+    return last_;
+  }
+
+ private:
+  const PlanarGain& gain_;
+  const PointBlock& points_;
+  float x_ = 0, y_ = 0;
+  LogGain last_;
+};
+
 }  // namespace
 
 void CompiledField::EvaluateValues(const PointBlock& points, const ActiveSet& active,
@@ -148,6 +187,9 @@ void CompiledField::EvaluateValues(const PointBlock& points, const ActiveSet& ac
            [&](const KernelSamples& result, std::size_t begin, int count) {
              std::copy_n(result.value, count, values.data() + begin);
            });
+  if (!HasGain(*data_, points)) return;
+  GainAlong gain(*data_->gain, points);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] *= static_cast<float>(gain.At(i).value);
 }
 
 void CompiledField::EvaluateSamples(const PointBlock& points, const ActiveSet& active,
@@ -161,6 +203,19 @@ void CompiledField::EvaluateSamples(const PointBlock& points, const ActiveSet& a
              std::copy_n(result.y, count, samples.gradient_y.data() + begin);
              std::copy_n(result.z, count, samples.gradient_z.data() + begin);
            });
+  if (!HasGain(*data_, points)) return;
+  GainAlong gain(*data_->gain, points);
+  for (std::size_t i = 0; i < samples.value.size(); ++i) {
+    const LogGain& here = gain.At(i);
+    const auto factor = static_cast<float>(here.value);
+    const float value = samples.value[i];
+    samples.value[i] = factor * value;
+    samples.gradient_x[i] =
+        factor * (samples.gradient_x[i] + value * static_cast<float>(here.gradient.x()));
+    samples.gradient_y[i] =
+        factor * (samples.gradient_y[i] + value * static_cast<float>(here.gradient.y()));
+    samples.gradient_z[i] *= factor;
+  }
 }
 
 void SignedDistances(const SampleBlock& samples, float limit, std::span<float> distances, Isa isa) {

@@ -71,7 +71,11 @@ FieldSample Evaluate(const Field& field, const Eigen::Vector3d& point) {
                : parts[i];
     if (blend.value > largest.value) largest = blend;
   }
-  return largest;
+  if (!field.gain) return largest;
+  const LogGain gain = EvaluateLogGain(*field.gain, point.head<2>());
+  largest.gradient.head<2>() += largest.value * gain.gradient;
+  const double factor = std::exp(gain.value);
+  return {factor * largest.value, factor * largest.gradient};
 }
 
 double SignedDistance(const FieldSample& sample) noexcept {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lascaux/base/diagnostic.h"
+#include "lascaux/field/planar_gain.h"
 #include "lascaux/field/primitives.h"
 
 /// @file
@@ -38,11 +39,12 @@ struct FieldPart {
 
 /// F = max over root parts of f, and over parts with a parent of Ricci(f_part, f_parent).
 ///
-/// Only a part and its parent blend, so siblings never web. The surface is F = 1, inside is F > 1.
+/// All of it times gain(x, y), if there is one. Only a part and its parent blend, so siblings never web. The surface is F = 1, inside is F > 1.
 struct Field {
   std::vector<FieldPart> parts;
   double chain_exponent = 4;  ///< Ricci exponent between the chains of a part
   double part_exponent = 4;   ///< between a part and its parent
+  std::optional<PlanarGain> gain;
 
   bool operator==(const Field&) const = default;
 };
@@ -62,7 +64,7 @@ Eigen::AlignedBox3d Bounds(const Field& field);
 /// Value and gradient at a point, in double precision.
 FieldSample Evaluate(const Field& field, const Eigen::Vector3d& point);
 
-/// The same for one of its parts by itself.
+/// The same for one of its parts by itself, without the gain.
 FieldSample EvaluatePart(const Field& field, int part, const Eigen::Vector3d& point);
 
 /// Ricci's blend (SUM f_i^n)^(1/n) of non-negative values, with its gradient; n >= 1. n = 1 is the
