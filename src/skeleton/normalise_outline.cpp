@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -22,30 +23,25 @@ using Eigen::Vector2d;
 /// Spacing of the samples and of the table, in shares of the drawn outline's diagonal: a few
 /// samples for each bump that a pen makes.
 constexpr double kSpacing = 2.5e-3, kCell = 2e-3;
-/// The gain fades over the local radius, and over so many cells at least.
-constexpr double kLeastFade = 3;
+/// The gain fades over this share of the local radius, but over so many cells at least and this
+/// share of the diagonal at most.
+constexpr double kFade = 0.6, kLeastFade = 4, kMostFade = 0.05;
+/// Integral of the kernel (1 - q^2)^3 over a line through its middle, q from -1 to 1.
+constexpr double kKernelIntegral = 32.0 / 35;
 /// The maximum over z: so many steps from the plane to the deepest part, then twice as many around
 /// the best, each time finer.
 constexpr int kDepthSteps = 12, kRefinements = 2;
-/// Rounds in which the table's own smoothing is taken back.
-constexpr int kRounds = 5;
+/// Richardson steps towards sources whose sum is the wanted gain. High frequencies come last, and
+/// stay out: they would be stripes.
+constexpr int kSteps = 12;
 
-/// A place of the outline in model units.
+/// A place of the outline in model units, and the source of gain there.
 struct Sample {
   Vector2d place;
-  double fade = 0;     ///< distance at which the gain is 1 again
-  double wanted = 0;   ///< log gain
-  double applied = 0;  ///< what the table is made from
-};
-
-/// A piece of outline between two samples.
-struct Piece {
-  std::size_t from = 0, to = 0;
-};
-
-struct SampledRuns {
-  std::vector<Sample> samples;
-  std::vector<Piece> pieces;
+  double fade = 0;    ///< distance at which its source ends
+  double length = 0;  ///< of the outline that it stands for
+  double wanted = 0;  ///< log gain
+  double source = 0;
 };
 
 /// Radius of the disc of the skeleton whose circle passes nearest.
@@ -122,31 +118,92 @@ std::array<double, kLines> GreatestAlongZ(const CompiledField& field,
   return best;
 }
 
-SampledRuns SampleRuns(const Field& field, const DrawnOutline& drawn, double diagonal) {
-  SampledRuns outline;
-  const double least_fade = kLeastFade * kCell * diagonal;
-  for (const auto& run :
-       UnionOutline(drawn.parts, drawn.graph, kSpacing * diagonal / drawn.frame.scale)) {
-    for (std::size_t k = 0; k < run.size(); ++k) {
-      if (k > 0) outline.pieces.push_back({outline.samples.size() - 1, outline.samples.size()});
-      const Vector2d place = drawn.frame.ToModel(run[k]);
-      outline.samples.push_back({place, std::max(LocalRadius(field, place), least_fade), 0, 0});
-    }
-  }
-  return outline;
+double Smoothstep(double x) {
+  const double t = std::clamp(x, 0.0, 1.0);
+  return t * t * (3 - 2 * t);
 }
 
-/// A coefficient near the outline: between which samples, how far along, and how much of their gain
-/// it has.
-struct Influence {
-  std::size_t coefficient = 0;
-  Piece piece;
-  float along = 0, weight = 0;
+/// The drawn outline as samples, their fades smoothed along it, and a share from 0 to 1 by which
+/// each end of an open run is let go: there another part takes over, and a fillet is no error to be
+/// cut out of both.
+struct Samples {
+  std::vector<Sample> all;
+  std::vector<double> trust;
 };
 
-PlanarGain EmptyTable(const SampledRuns& outline, double cell) {
+Samples SampleOutlines(const Field& field, const DrawnOutline& drawn, double diagonal) {
+  Samples samples;
+  for (const auto& run :
+       UnionOutline(drawn.parts, drawn.graph, kSpacing * diagonal / drawn.frame.scale)) {
+    const std::size_t n = run.size();
+    std::vector<double> radii(n), arcs(n, 0);
+    for (std::size_t k = 0; k < n; ++k) radii[k] = LocalRadius(field, drawn.frame.ToModel(run[k]));
+    for (std::size_t k = 1; k < n; ++k)
+      arcs[k] = arcs[k - 1] + drawn.frame.scale * (run[k] - run[k - 1]).norm();
+    const bool closed = (run.front() - run.back()).norm() < kSpacing * diagonal / drawn.frame.scale;
+    for (std::size_t k = 0; k < n; ++k) {
+      constexpr std::size_t kWindow = 6;
+      const std::size_t low = k < kWindow ? 0 : k - kWindow, high = std::min(n - 1, k + kWindow);
+      double mean = 0;
+      for (std::size_t i = low; i <= high; ++i)
+        mean += radii[i] / static_cast<double>(high - low + 1);
+      const double fade =
+          std::clamp(kFade * mean, kLeastFade * kCell * diagonal, kMostFade * diagonal);
+      const double length = (arcs[std::min(n - 1, k + 1)] - arcs[k > 0 ? k - 1 : 0]) / 2;
+      samples.all.push_back({drawn.frame.ToModel(run[k]), fade, length, 0, 0});
+      samples.trust.push_back(closed ? 1.0
+                                     : Smoothstep(std::min(arcs[k], arcs.back() - arcs[k]) / fade));
+    }
+  }
+  return samples;
+}
+
+/// What a unit source adds at a distance: along an even straight outline the sum is 1 on it.
+double Kernel(const Sample& source, double squared_distance) {
+  const double rest = 1 - squared_distance / (source.fade * source.fade);
+  return rest > 0 ? rest * rest * rest * source.length / (kKernelIntegral * source.fade) : 0;
+}
+
+/// Sources whose sum is the wanted gain at each sample.
+void Solve(std::vector<Sample>& samples) {
+  struct Entry {
+    std::size_t sample;
+    double weight;
+  };
+  std::vector<std::size_t> by_x(samples.size());
+  std::iota(by_x.begin(), by_x.end(), std::size_t{0});
+  std::stable_sort(by_x.begin(), by_x.end(), [&](std::size_t a, std::size_t b) {
+    return samples[a].place.x() < samples[b].place.x();
+  });
+  std::vector<std::vector<Entry>> rows(samples.size());
+  std::vector<double> sums(samples.size(), 0);
+  double widest = 0;
+  for (const Sample& s : samples) widest = std::max(widest, s.fade);
+  for (std::size_t a = 0; a < by_x.size(); ++a) {
+    for (std::size_t b = a; b < by_x.size(); ++b) {
+      const std::size_t i = by_x[a], j = by_x[b];
+      const Vector2d way = samples[j].place - samples[i].place;
+      if (way.x() > widest) break;
+      const double squared = way.squaredNorm(), there = Kernel(samples[j], squared),
+                   here = Kernel(samples[i], squared);
+      if (there > 0) rows[i].push_back({j, there}), sums[i] += there;
+      if (here > 0 && i != j) rows[j].push_back({i, here}), sums[j] += here;
+    }
+  }
+  std::vector<double> rest(samples.size());
+  for (int step = 0; step < kSteps; ++step) {
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      rest[i] = samples[i].wanted;
+      for (const Entry& entry : rows[i]) rest[i] -= entry.weight * samples[entry.sample].source;
+    }
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      samples[i].source += rest[i] / std::max(sums[i], 1.0);
+  }
+}
+
+PlanarGain TableOf(const std::vector<Sample>& samples, double cell) {
   Eigen::AlignedBox2d box;
-  for (const Sample& s : outline.samples) {
+  for (const Sample& s : samples) {
     box.extend(Vector2d(s.place - Vector2d::Constant(s.fade)));
     box.extend(Vector2d(s.place + Vector2d::Constant(s.fade)));
   }
@@ -156,47 +213,22 @@ PlanarGain EmptyTable(const SampledRuns& outline, double cell) {
   gain.columns = static_cast<int>(std::ceil(box.sizes().x() / cell)) + 1;
   gain.rows = static_cast<int>(std::ceil(box.sizes().y() / cell)) + 1;
   gain.coefficients.assign(Index(gain.columns) * Index(gain.rows), 0.0f);
-  return gain;
-}
-
-/// For each coefficient the nearest piece of outline, if it is within reach.
-std::vector<Influence> Influences(const SampledRuns& outline, const PlanarGain& gain) {
-  std::vector<float> nearest(gain.coefficients.size(), std::numeric_limits<float>::infinity());
-  std::vector<Influence> found(gain.coefficients.size());
-  for (const Piece& piece : outline.pieces) {
-    const Sample &a = outline.samples[piece.from], &b = outline.samples[piece.to];
-    const Vector2d step = b.place - a.place;
-    const Vector2d reach = Vector2d::Constant(std::max(a.fade, b.fade));
-    const Vector2d low = (a.place.cwiseMin(b.place) - reach - gain.origin) / gain.cell;
-    const Vector2d high = (a.place.cwiseMax(b.place) + reach - gain.origin) / gain.cell;
-    for (int row = std::max(0, static_cast<int>(low.y()));
-         row <= std::min(gain.rows - 1, static_cast<int>(high.y()) + 1); ++row) {
-      for (int column = std::max(0, static_cast<int>(low.x()));
-           column <= std::min(gain.columns - 1, static_cast<int>(high.x()) + 1); ++column) {
-        const Vector2d place = gain.origin + gain.cell * Vector2d(column, row);
-        const double t = std::clamp(
-            (place - a.place).dot(step) / std::max(step.squaredNorm(), 1e-300), 0.0, 1.0);
-        const double distance = (a.place + t * step - place).norm(),
-                     fade = a.fade + t * (b.fade - a.fade);
-        const std::size_t i = Index(row) * Index(gain.columns) + Index(column);
-        if (distance >= fade || static_cast<float>(distance) >= nearest[i]) continue;
-        nearest[i] = static_cast<float>(distance);
-        const double share = 1 - distance * distance / (fade * fade);
-        found[i] = {i, piece, static_cast<float>(t), static_cast<float>(share * share)};
+  for (const Sample& s : samples) {
+    const Vector2d reach = Vector2d::Constant(s.fade);
+    const Vector2d low = (s.place - reach - gain.origin) / cell,
+                   high = (s.place + reach - gain.origin) / cell;
+    const int last_row = std::min(gain.rows - 1, static_cast<int>(high.y()));
+    const int last_column = std::min(gain.columns - 1, static_cast<int>(high.x()));
+    for (int row = std::max(0, static_cast<int>(low.y())); row <= last_row; ++row) {
+      float* coefficients = gain.coefficients.data() + Index(row) * Index(gain.columns);
+      for (int column = std::max(0, static_cast<int>(low.x())); column <= last_column; ++column) {
+        const Vector2d place = gain.origin + cell * Vector2d(column, row);
+        coefficients[column] +=
+            static_cast<float>(s.source * Kernel(s, (place - s.place).squaredNorm()));
       }
     }
   }
-  std::erase_if(found, [](const Influence& influence) { return influence.weight == 0; });
-  return found;
-}
-
-void Fill(PlanarGain& gain, const std::vector<Influence>& influences,
-          const std::vector<Sample>& samples) {
-  for (const Influence& i : influences) {
-    const double a = samples[i.piece.from].applied, b = samples[i.piece.to].applied;
-    const double value = a + static_cast<double>(i.along) * (b - a);
-    gain.coefficients[i.coefficient] = i.weight * static_cast<float>(value);
-  }
+  return gain;
 }
 
 }  // namespace
@@ -204,38 +236,27 @@ void Fill(PlanarGain& gain, const std::vector<Influence>& influences,
 Field NormaliseOutline(Field field, const DrawnOutline& drawn, const Execution& execution) {
   const double diagonal = drawn.frame.scale * BuiltBox(drawn.parts, drawn.graph).diagonal().norm();
   if (!(diagonal > 0)) return field;
-  SampledRuns outline = SampleRuns(field, drawn, diagonal);
-  if (outline.pieces.empty()) return field;
+  Samples samples = SampleOutlines(field, drawn, diagonal);
+  if (samples.all.empty()) return field;
 
   const CompiledField compiled(field);
   const double deepest = std::max(Deepest(field), kCell * diagonal);
   tbb::task_arena arena(execution.threads > 0 ? execution.threads : tbb::task_arena::automatic);
   arena.execute([&] {
-    const std::size_t groups = (outline.samples.size() + kLines - 1) / kLines;
+    const std::size_t groups = (samples.all.size() + kLines - 1) / kLines;
     tbb::parallel_for(std::size_t{0}, groups, [&](std::size_t g) {
-      const std::size_t first = g * kLines,
-                        count = std::min(kLines, outline.samples.size() - first);
-      const std::span<Sample> group = std::span(outline.samples).subspan(first, count);
+      const std::size_t first = g * kLines, count = std::min(kLines, samples.all.size() - first);
+      const std::span<Sample> group = std::span(samples.all).subspan(first, count);
       const std::array<double, kLines> greatest = GreatestAlongZ(compiled, group, deepest);
       for (std::size_t i = 0; i < count; ++i) {
         if (greatest[i] <= 0) continue;
-        group[i].wanted = std::clamp(-std::log(greatest[i]), -kMostLogGain, kMostLogGain);
-        group[i].applied = group[i].wanted;
+        const double log_gain = std::clamp(-std::log(greatest[i]), -kMostLogGain, kMostLogGain);
+        group[i].wanted = samples.trust[first + i] * log_gain;
       }
     });
   });
-
-  PlanarGain gain = EmptyTable(outline, kCell * diagonal);
-  const std::vector<Influence> influences = Influences(outline, gain);
-  Fill(gain, influences, outline.samples);
-  for (int round = 0; round < kRounds; ++round) {
-    for (Sample& sample : outline.samples) {
-      sample.applied += sample.wanted - EvaluateLogGain(gain, sample.place).value;
-      sample.applied = std::clamp(sample.applied, -2 * kMostLogGain, 2 * kMostLogGain);
-    }
-    Fill(gain, influences, outline.samples);
-  }
-  field.gain = std::move(gain);
+  Solve(samples.all);
+  field.gain = TableOf(samples.all, kCell * diagonal);
   return field;
 }
 

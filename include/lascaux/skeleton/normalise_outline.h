@@ -21,14 +21,16 @@ struct DrawnOutline {
 
 /// The field with a planar gain that makes its silhouette the drawn outline.
 ///
-/// With m(x, y) the maximum of F over z, gain = 1/m on every drawn piece of the union of the parts
-/// that are built, and fades to 1 smoothly within the local radius on both sides: max F is then 1
-/// on the outline, whatever fit and blend left. Completions and joints are no outline. log m is
-/// limited to kMostLogGain: where the field is further off, it is missing something that a factor
-/// cannot make. About 2000 samples, 32 field values each; 10 ms.
+/// With m(x, y) the maximum of F over z, gain = 1/m on the drawn pieces of the union of the parts
+/// that are built: max F is then 1 on them, whatever fit and blend left. The logarithm of the gain
+/// is a sum of smooth kernels along the outline, about 0.6 local radii wide, so that it fades on
+/// both sides without a seam. Completions and joints are no outline, and where one part takes over
+/// from another the gain is let go: the fillet there stays. log m is limited to kMostLogGain; where
+/// the field is further off, it is missing something that a factor cannot make. About 2000 samples,
+/// 39 field values each.
 Field NormaliseOutline(Field field, const DrawnOutline& drawn, const Execution& execution = {});
 
-/// About 40 % of the local radius.
+/// A shift of the surface by about 40 % of the local radius.
 inline constexpr double kMostLogGain = 1.0;
 
 }  // namespace lascaux
