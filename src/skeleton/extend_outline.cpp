@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -71,24 +72,57 @@ Vector2d Arrival(const Vector2d& from, const Vector2d& end, const Vector2d& inwa
   return kLeastForward * (inward + side * across);
 }
 
-bool StaysInside(const std::vector<Vector2d>& curve, const Outline& outline, const Outline& parent,
-                 double tolerance) {
-  return std::all_of(curve.begin(), curve.end(), [&](const Vector2d& p) {
-    return Contains(parent.points, p) || Contains(outline.points, p) ||
-           NearestOnRing(parent.points, p).distance < tolerance ||
-           NearestOnRing(outline.points, p).distance < tolerance;
-  });
+/// What an extension may cover without being seen: its part, the parent and what lies over the
+/// parent.
+struct Cover {
+  std::vector<const Ring*> rings;
+  double tolerance = 0;
+
+  bool Hides(const Vector2d& point) const {
+    return std::any_of(rings.begin(), rings.end(), [&](const Ring* ring) {
+      return Contains(*ring, point) || NearestOnRing(*ring, point).distance < tolerance;
+    });
+  }
+};
+
+/// How far the run's middle is outside of the parent.
+double DistanceTo(const Ring& parent, const Ring& ring, const Run& run) {
+  const int n = static_cast<int>(ring.size());
+  const int middle = (run.first + run.count / 2) % n;
+  const Vector2d at = (ring[Index(middle)] + ring[Index((middle + run.count % 2) % n)]) / 2;
+  return std::max(0.0, SignedDistanceToRing(parent, at));
 }
 
-/// Inner points of the round end that replaces the run.
-std::optional<std::vector<Vector2d>> RoundEnd(const Outline& outline, const Run& run,
-                                              const Outline& parent, double tolerance) {
-  const Ring& ring = outline.points;
+/// The runs that are the part's joints with its parent: those on the parent's outline, or else the
+/// nearest one, if it is no further away than it is wide, as where a limb over the parent lies
+/// between.
+std::vector<std::pair<Run, double>> Joints(const Outline& outline, const Ring& parent,
+                                           double tolerance) {
+  std::vector<std::pair<Run, double>> joints;
+  std::pair<Run, double> nearest{{}, std::numeric_limits<double>::infinity()};
+  const int n = static_cast<int>(outline.points.size());
+  for (const Run& run : SharedRuns(outline)) {
+    if (run.count >= n) continue;
+    const double distance = DistanceTo(parent, outline.points, run);
+    if (distance <= tolerance) joints.emplace_back(run, 0.0);
+    if (distance < nearest.second) nearest = {run, distance};
+  }
+  if (!joints.empty() || !std::isfinite(nearest.second)) return joints;
+  const Vector2d chord = outline.points[Index((nearest.first.first + nearest.first.count) % n)] -
+                         outline.points[Index(nearest.first.first)];
+  if (nearest.second <= chord.norm()) joints.push_back(nearest);
+  return joints;
+}
+
+/// Inner points of the round end that replaces the run and reaches `gap` further than half of its
+/// width.
+std::optional<std::vector<Vector2d>> RoundEnd(const Ring& ring, const Run& run, double gap,
+                                              const Cover& cover) {
   const int n = static_cast<int>(ring.size());
   const int last = (run.first + run.count) % n;
   const Vector2d a = ring[Index(run.first)], b = ring[Index(last)];
   const double width = (b - a).norm();
-  if (width <= tolerance) return std::nullopt;
+  if (width <= cover.tolerance) return std::nullopt;
   // The ring has positive shoelace area, so the outside is to the right of the direction of travel.
   const Vector2d chord = (b - a) / width;
   const Vector2d inward(chord.y(), -chord.x());
@@ -102,57 +136,58 @@ std::optional<std::vector<Vector2d>> RoundEnd(const Outline& outline, const Run&
   for (double share = 1; share >= kShallowest; share *= kShrink) {
     // A cubic with parallel handles h rises by 3/4 h; with h = 2/3 of the chord it is a half circle
     // to 2 %.
-    const double handle = 4.0 / 3.0 * (depth + share * width / 2);
+    const double handle = 4.0 / 3.0 * (depth + gap + share * width / 2);
     const CubicBezier curve{{a, a + handle * ta, b + handle * tb, b}};
     std::vector<Vector2d> points;
     for (int i = 1; i < kSteps; ++i) points.push_back(curve.At(static_cast<double>(i) / kSteps));
-    if (StaysInside(points, outline, parent, tolerance)) return points;
+    if (std::all_of(points.begin(), points.end(),
+                    [&](const Vector2d& p) { return cover.Hides(p); })) {
+      return points;
+    }
   }
   return std::nullopt;
 }
 
-}  // namespace
-
-Outline ExtendInto(const Outline& outline, const Outline& parent, double tolerance) {
+/// The outline with its joints replaced.
+Outline Extended(const Outline& outline, const std::vector<std::pair<Run, double>>& joints,
+                 const Cover& cover) {
   const int n = static_cast<int>(outline.points.size());
   std::vector<std::vector<Vector2d>> ends(Index(n));
   std::vector<int> skip(Index(n), 0);
-  for (const Run& run : SharedRuns(outline)) {
-    if (run.count >= n) continue;
-    const int middle = (run.first + run.count / 2) % n;
-    const Vector2d at =
-        (outline.points[Index(middle)] + outline.points[Index((middle + run.count % 2) % n)]) / 2;
-    if (NearestOnRing(parent.points, at).distance > tolerance) continue;
-    std::optional<std::vector<Vector2d>> end = RoundEnd(outline, run, parent, tolerance);
+  for (const auto& [run, gap] : joints) {
+    std::optional<std::vector<Vector2d>> end = RoundEnd(outline.points, run, gap, cover);
     if (!end) continue;
     ends[Index(run.first)] = std::move(*end);
     skip[Index(run.first)] = run.count;
   }
+  const auto first = std::find_if(outline.kinds.begin(), outline.kinds.end(),
+                                  [](OutlineKind k) { return k != OutlineKind::kShared; });
+  const int start = static_cast<int>(first - outline.kinds.begin());
   Outline extended;
-  const int start =
-      static_cast<int>(std::find_if(outline.kinds.begin(), outline.kinds.end(),
-                                    [](OutlineKind k) { return k != OutlineKind::kShared; }) -
-                       outline.kinds.begin());
   for (int k = 0; k < n;) {
-    const int i = (start + k) % n;
-    extended.points.push_back(outline.points[Index(i)]);
-    extended.kinds.push_back(skip[Index(i)] > 0 ? OutlineKind::kCompletion
-                                                : outline.kinds[Index(i)]);
-    for (const Vector2d& p : ends[Index(i)]) {
+    const std::size_t i = Index((start + k) % n);
+    extended.points.push_back(outline.points[i]);
+    extended.kinds.push_back(skip[i] > 0 ? OutlineKind::kCompletion : outline.kinds[i]);
+    for (const Vector2d& p : ends[i]) {
       extended.points.push_back(p);
       extended.kinds.push_back(OutlineKind::kCompletion);
     }
-    k += std::max(1, skip[Index(i)]);
+    k += std::max(1, skip[i]);
   }
   return extended;
 }
 
+}  // namespace
+
 Outline OutlineToFill(const Parts& parts, int part, int parent) {
   const Part& child = parts.parts[Index(part)];
   if (child.over || child.kind == PartKind::kIsland) return child.outline;
-  const Outline& outline = child.outline;
-  return ExtendInto(outline, parts.parts[Index(parent)].outline,
-                    kTolerance * Diagonal(parts.parts[Index(parent)].outline.points));
+  const Ring& support = parts.parts[Index(parent)].outline.points;
+  Cover cover{{&child.outline.points, &support}, kTolerance * Diagonal(support)};
+  for (const Part& other : parts.parts) {
+    if (other.over == parent) cover.rings.push_back(&other.outline.points);
+  }
+  return Extended(child.outline, Joints(child.outline, support, cover.tolerance), cover);
 }
 
 }  // namespace lascaux

@@ -7,17 +7,16 @@
 
 namespace lascaux {
 
-/// The outline with each piece that it shares with `parent` replaced by a round end that reaches
-/// into the parent, half of the joint's width deeper than the piece itself, continuing the tangents
-/// of the sides (turned towards the parent where they flare by more than 45 degrees from it). The
-/// new pieces are kCompletion.
+/// What a part's skeleton is made of: its outline, with each joint with `parent` replaced by a
+/// round end that reaches into the parent by half of the joint's width, deeper than the joint
+/// itself, and continues the tangents of its sides (turned towards the parent where they flare by
+/// more than 45 degrees from it). The new pieces are kCompletion.
 ///
-/// A joint is a run of kShared pieces whose middle lies on the parent's outline, to `tolerance`
-/// (sketch units). An extension that would leave parent and part is made shallower, down to a
-/// fifth; if it still leaves them the joint stays as drawn.
-Outline ExtendInto(const Outline& outline, const Outline& parent, double tolerance);
-
-/// What a part's skeleton is made of: its outline, extended into `parent` if it only abuts it.
+/// Joints are the runs of kShared pieces on the parent's outline, to 0.3 % of its diagonal; where
+/// there is none, as when a limb lies between, the nearest run, and its end is longer by the
+/// distance. An end that would show outside of the part, the parent and the limbs over the parent
+/// is made shallower, down to a fifth; if it still shows, the joint stays as drawn. Limbs, which
+/// have completions, and islands are returned as they are.
 Outline OutlineToFill(const Parts& parts, int part, int parent);
 
 }  // namespace lascaux

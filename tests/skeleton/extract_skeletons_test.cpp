@@ -200,6 +200,21 @@ TEST(ExtractSkeletons, AnAbuttingTailReachesIntoTheBodyByHalfItsWidth) {
   for (const OutlineKind kind : extended.kinds) EXPECT_NE(kind, OutlineKind::kShared);
 }
 
+TEST(ExtractSkeletons, ATailOnAHaunchReachesThroughItIntoTheBody) {
+  testing::Drawing drawing = OnlyBody(testing::Ellipse({0, 0}, 4, 2));
+  drawing.Add(testing::Ellipse({3.2, 0}, 1.3, 1.3), PartRole::kForeground, 0);
+  // From the haunch's outline at x = 4.5, half a unit right of the body's, outwards.
+  Outline tail = testing::Drawn({{4.45, -0.4}, {6, -0.4}, {6, 0.4}, {4.45, 0.4}});
+  for (std::size_t i = 0; i < tail.points.size(); ++i) {
+    if ((tail.points[i] + tail.points[(i + 1) % 4]).x() < 9) tail.kinds[i] = OutlineKind::kShared;
+  }
+  const int index = drawing.Add(tail, PartRole::kSagittal, 0);
+  double left = 10;
+  for (const Vector2d& p : OutlineToFill(drawing.parts, index, 0).points)
+    left = std::min(left, p.x());
+  EXPECT_NEAR(left, 4 - 0.4, 0.05);
+}
+
 TEST(ExtractSkeletons, OnlyPartsThatAreBuiltHaveOne) {
   testing::Drawing beast = testing::MakeBeast();
   beast.Add(testing::Ellipse({-1, 3.2}, 0.4, 0.2), PartRole::kSagittal, testing::kFarLeg);
