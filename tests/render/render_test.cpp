@@ -126,6 +126,13 @@ TEST(Render, ThreeQuarterViewsShowTheHeadWhereverItLooks) {
   EXPECT_LT(different, 0.02 * model);
 }
 
+TEST(Render, TheHeadIsWhereTheOptionsSay) {
+  const auto grid = SmallAnimal();
+  const Image guess = Picture(*grid);
+  EXPECT_TRUE(guess == Picture(*grid, {.head = Head::kRight}));
+  EXPECT_FALSE(guess == Picture(*grid, {.head = Head::kLeft}));
+}
+
 TEST(Render, TheUnitDoesNotMatter) {
   const auto grid = SmallAnimal();
   const Image expected = Picture(*grid);

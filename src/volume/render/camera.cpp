@@ -22,9 +22,8 @@ struct Angles {
   float azimuth, elevation;
 };
 
-/// Heads are high: a three-quarter view is taken from the end of the model that reaches higher, so
-/// that it shows a face.
-float HeadEnd(const std::vector<Eigen::Vector3f>& solid) {
+/// Heads are high: 1 if the end towards +x is the higher one, else -1.
+float HigherEnd(const std::vector<Eigen::Vector3f>& solid) {
   Eigen::Vector3f low = solid[0], high = solid[0];
   for (const Eigen::Vector3f& p : solid) low = low.cwiseMin(p), high = high.cwiseMax(p);
   const float middle = 0.5F * (low.x() + high.x());
@@ -37,18 +36,31 @@ float HeadEnd(const std::vector<Eigen::Vector3f>& solid) {
   return balance < 0 ? -1.F : 1.F;
 }
 
-Angles AnglesOf(View view, const std::vector<Eigen::Vector3f>& solid) {
-  switch (view) {
+/// 1 for a head on the right, -1 for one on the left.
+float HeadEnd(const RenderOptions& options, const std::vector<Eigen::Vector3f>& solid) {
+  switch (options.head) {
+    case Head::kRight:
+      return 1;
+    case Head::kLeft:
+      return -1;
+    case Head::kHigher:
+      break;
+  }
+  return HigherEnd(solid);
+}
+
+Angles AnglesOf(const RenderOptions& options, const std::vector<Eigen::Vector3f>& solid) {
+  switch (options.view) {
     case View::kSide:
       return {0, 6 * kDegree};
     case View::kFront:
-      return {HeadEnd(solid) * 90 * kDegree, 8 * kDegree};
+      return {HeadEnd(options, solid) * 90 * kDegree, 8 * kDegree};
     case View::kTop:
       return {0, 90 * kDegree};
     case View::kThreeQuarter:
       break;
   }
-  return {HeadEnd(solid) * 38 * kDegree, 14 * kDegree};
+  return {HeadEnd(options, solid) * 38 * kDegree, 14 * kDegree};
 }
 
 /// Smallest and largest tangents of the angles under which the points are seen.
@@ -61,7 +73,7 @@ struct Extent {
 Camera::Camera(const RenderOptions& options, const std::vector<Eigen::Vector3f>& solid)
     : half_width_(0.5F * static_cast<float>(options.width)),
       half_height_(0.5F * static_cast<float>(options.height)) {
-  const Angles angles = AnglesOf(options.view, solid);
+  const Angles angles = AnglesOf(options, solid);
   const float c = std::cos(angles.azimuth), s = std::sin(angles.azimuth);
   const Eigen::Vector3f y(0, 1, 0);
   side_ = {c, 0, -s};

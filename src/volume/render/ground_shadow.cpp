@@ -12,8 +12,8 @@ namespace {
 
 constexpr int kTexels = 160;        // along the longer side
 constexpr float kSurround = 0.45F;  // of the model's size, around it: shadows have faded there
-constexpr float kKeyShare = 0.42F;  // of the floor's light that comes from the key light
-constexpr float kSkyShare = 0.50F;
+constexpr float kKeyShare = 0.36F;  // of the floor's light that comes from the key light
+constexpr float kSkyShare = 0.62F;  // of what is left, as far as the model can hide it
 
 float Smooth(float t) {
   t = std::clamp(t, 0.F, 1.F);
@@ -22,7 +22,7 @@ float Smooth(float t) {
 
 float ShadowAt(const Studio& studio, const Eigen::Vector3f& p) {
   const float key = studio.KeyVisibility(p, 0.01F * studio.size());
-  return kKeyShare * (1 - key) + kSkyShare * studio.Contact(p);
+  return 1 - (1 - kKeyShare * (1 - key)) * (1 - kSkyShare * studio.Contact(p));
 }
 
 }  // namespace

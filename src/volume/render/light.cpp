@@ -9,9 +9,9 @@ namespace {
 
 // Colours and strengths were chosen by eye on many models; linear light, 1 is white paper.
 const Color kClay(0.560F, 0.335F, 0.225F);
-const Color kKeyLight(1.34F, 1.24F, 1.10F);
-const Color kSky(0.62F, 0.68F, 0.77F);
-const Color kHorizon(0.56F, 0.56F, 0.56F);
+const Color kKeyLight(1.46F, 1.35F, 1.19F);
+const Color kSky(0.56F, 0.62F, 0.71F);
+const Color kHorizon(0.50F, 0.50F, 0.505F);
 const Color kFloor(0.46F, 0.41F, 0.36F);
 const Color kRimLight(0.55F, 0.60F, 0.68F);
 
@@ -25,7 +25,7 @@ constexpr int kKeySteps = 24;
 constexpr float kRim = 1.2F;
 constexpr float kRimWrap = 0.15F;
 constexpr float kLift = 1.2F, kKeyLift = 2.F;  // strides of the coarse field
-constexpr float kGloss = 0.10F;                // strength of the sheen
+constexpr float kGloss = 0.13F;                // strength of the sheen
 constexpr float kGlossPower = 14.F;            // its breadth: fired clay is dull
 
 float Smooth(float t) {
@@ -57,7 +57,7 @@ Studio::Studio(const CoarseField& coarse, const Camera& camera)
   const Eigen::Vector3f extent = coarse.high() - coarse.low();
   size_ = extent.maxCoeff();
   const Eigen::Vector3f y(0, 1, 0);
-  key_ = (-0.60F * camera.side() + 1.15F * y + 0.60F * camera.front()).normalized();
+  key_ = (-0.60F * camera.side() + 1.30F * y + 0.65F * camera.front()).normalized();
   rim_ = (0.75F * camera.side() + 0.45F * y - 0.65F * camera.front()).normalized();
   const float shortest = 2.5F * coarse.stride();
   for (std::size_t i = 0; i < reach_.size(); ++i) {
@@ -95,7 +95,7 @@ float Studio::Contact(const Eigen::Vector3f& p) const noexcept {
   constexpr float kFirst = 0.012F, kGrowth = 1.7F;  // of the model's size
   float contact = 0, weight = 0, total = 0, height = kFirst * size_;
   for (int i = 0; i < kHeights; ++i, height *= kGrowth) {
-    weight = 1 / (1 + 0.6F * static_cast<float>(i));
+    weight = 1 / (1 + 0.25F * static_cast<float>(i));
     const float distance = std::max(0.F, coarse_->At(p + Eigen::Vector3f(0, height, 0)));
     contact += weight * Smooth(1 - distance / (1.25F * height));
     total += weight;
