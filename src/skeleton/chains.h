@@ -28,7 +28,7 @@ std::vector<Chain> CutIntoChains(const Skeleton& tree);
 /// largest: a field has no limit at a tip of radius 0.
 ///
 /// Radii stay those of the outline. Correcting them for the slope g by 1 / (1 + 0.4 g^2), which is
-/// right for a pure cone, made 20 of 24 parts of real outlines worse before the fit: their slopes
+/// right for a pure cone, made most parts of real outlines worse before the fit: their slopes
 /// are steep at ends, where a cone's law does not hold.
 Chain Refined(const Chain& chain);
 
