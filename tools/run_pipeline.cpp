@@ -126,7 +126,11 @@ class Run {
   bool RenderPreview() {
     const Stopwatch watch(model_.timings, "render");
     execution_.Report("rendering the preview", 0);
-    return Keep(Render(*model_.grid->surface, {}, execution_), model_.preview);
+    RenderOptions options;
+    const HeadEnd head = FindHead(model_);
+    if (head == HeadEnd::kRight) options.head = Head::kRight;
+    if (head == HeadEnd::kLeft) options.head = Head::kLeft;
+    return Keep(Render(*model_.grid->surface, options, execution_), model_.preview);
   }
 
   std::string_view bytes_;

@@ -1,6 +1,8 @@
 #include "settle.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "grid.h"
@@ -27,6 +29,20 @@ std::vector<std::vector<Eigen::Vector2d>> BuiltOutlines(const Model& model) {
       ring.push_back(model.frame->ToModel(point));
   }
   return rings;
+}
+
+HeadEnd FindHead(const Model& model) {
+  constexpr double kMiddle = 0.05;  // of the animal's length, to both sides of its centre
+  Eigen::AlignedBox2d animal, eyes;
+  for (std::size_t i = 0; i < model.parts->parts.size(); ++i)
+    for (const Eigen::Vector2d& point : model.parts->parts[i].outline.points) {
+      animal.extend(point);
+      if (model.graph->nodes[i].role == PartRole::kIsland) eyes.extend(point);
+    }
+  if (eyes.isEmpty()) return HeadEnd::kUnknown;
+  const double offset = (eyes.center().x() - animal.center().x()) / animal.sizes().x();
+  if (!(std::abs(offset) > kMiddle)) return HeadEnd::kUnknown;
+  return offset > 0 ? HeadEnd::kRight : HeadEnd::kLeft;
 }
 
 }  // namespace lascaux

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <vector>
 
 #include "model.h"
@@ -21,5 +22,13 @@ void StandOnGround(Model& model);
 ///
 /// Precondition: parts, graph and frame are there.
 std::vector<std::vector<Eigen::Vector2d>> BuiltOutlines(const Model& model);
+
+/// Where the head is, so that the preview can show the face: the end at which the eyes are.
+enum class HeadEnd : std::uint8_t { kUnknown, kRight, kLeft };
+
+/// kUnknown without eyes, and when they are in the middle tenth of the animal.
+///
+/// Precondition: parts and graph are there.
+HeadEnd FindHead(const Model& model);
 
 }  // namespace lascaux

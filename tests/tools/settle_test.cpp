@@ -30,5 +30,17 @@ TEST(BuiltOutlines, LeaveOutFarAndIgnoredParts) {
   EXPECT_EQ(rings[0][0], Eigen::Vector2d(-20, 30));
 }
 
+TEST(FindHead, IsWhereTheEyesAre) {
+  Model model = SampleModel();
+  EXPECT_EQ(FindHead(model), HeadEnd::kRight);
+  for (Part& part : model.parts->parts)
+    for (Eigen::Vector2d& point : part.outline.points) point.x() *= -1;
+  EXPECT_EQ(FindHead(model), HeadEnd::kLeft);
+  for (Eigen::Vector2d& point : model.parts->parts[4].outline.points) point.x() = -2;
+  EXPECT_EQ(FindHead(model), HeadEnd::kUnknown);
+  model.graph->nodes[4].role = PartRole::kIgnored;
+  EXPECT_EQ(FindHead(model), HeadEnd::kUnknown);
+}
+
 }  // namespace
 }  // namespace lascaux
