@@ -113,10 +113,16 @@ class Run {
   }
 
   bool Measure() {
-    const Stopwatch watch(model_.timings, "check");
-    execution_.Report("checking the mesh", 0);
-    model_.facts = CheckMesh(*model_.mesh, execution_);
-    model_.fidelity = MeasureFidelity(*model_.mesh, BuiltOutlines(model_), execution_);
+    {
+      const Stopwatch watch(model_.timings, "check");
+      execution_.Report("checking the mesh", 0);
+      model_.facts = CheckMesh(*model_.mesh, execution_);
+    }
+    {
+      const Stopwatch watch(model_.timings, "fidelity");
+      execution_.Report("comparing it with the drawing", 0);
+      model_.fidelity = MeasureFidelity(*model_.mesh, BuiltOutlines(model_), execution_);
+    }
     if (!Continue()) return false;
     const Diagnostics defects = MeshDefects(*model_.facts);
     model_.diagnostics.insert(model_.diagnostics.end(), defects.begin(), defects.end());
