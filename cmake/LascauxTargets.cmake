@@ -33,5 +33,7 @@ function(lascaux_add_test name)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/tests)
   target_link_libraries(${target} PRIVATE ${ARG_LINK} GTest::gtest_main)
   lascaux_compile_options(${target})
+  # OpenVDB's templates are most of what tests compile; optimised in full they take a third longer and run no faster.
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   add_test(NAME ${name} COMMAND ${target})
 endfunction()
