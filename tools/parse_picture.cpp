@@ -37,7 +37,7 @@ std::string Header(const PictureStyle& style, const Eigen::AlignedBox2d& page) {
 std::string ParsePictureText(const Model& model) {
   const PictureStyle style = StyleFor(model);
   const double margin = kMargin * style.unit;
-  const double left = style.box.max().x() + margin;
+  const double left = style.box.max().x() + 1.5 * margin;
   const Legend legend = LegendLayer(model, style, left);
 
   Eigen::AlignedBox2d page = style.box;

@@ -11,6 +11,7 @@ namespace {
 constexpr const char* kInk = "#22252b";
 constexpr const char* kProblem = "#d7263d";
 constexpr const char* kGuess = "#c77700";
+constexpr const char* kRemark = "#6b7280";
 
 std::string Group(const char* id, const std::string& attributes, const std::string& content) {
   if (content.empty()) return {};
@@ -39,6 +40,32 @@ int Rank(PartRole role) {
       break;
   }
   return 5;
+}
+
+/// A ring around the place, and a numbered pin beside it; the code only where it matters, for a
+/// drawing may have many notes.
+std::string Pin(const Diagnostic& d, std::size_t number, const PictureStyle& style) {
+  const SvgNumbers& n = style.numbers;
+  const char* color = d.severity == Severity::kError     ? kProblem
+                      : d.severity == Severity::kWarning ? kGuess
+                                                         : kRemark;
+  const Eigen::Vector2d pin = *d.at + style.unit * Eigen::Vector2d(1.8, -2.4);
+  std::string text = fmt::format("<g fill=\"{0}\" stroke=\"{0}\"><title>{1}</title>\n", color,
+                                 EscapeXml(d.message));
+  text += fmt::format("<path d=\"{}\" stroke-width=\"{}\"/>\n", n.Line({*d.at, pin}),
+                      n(0.25 * style.unit));
+  text += fmt::format("<g fill=\"none\" stroke-width=\"{}\">{}</g>\n", n(0.3 * style.unit),
+                      Circle(style, *d.at, 0.9 * style.unit));
+  text += Circle(style, pin, 1.25 * style.unit);
+  text += fmt::format(
+      "<text x=\"{}\" y=\"{}\" font-size=\"{}\" fill=\"#ffffff\" stroke=\"none\" "
+      "text-anchor=\"middle\" font-weight=\"bold\">{}</text>\n",
+      n(pin.x()), n(pin.y() + 0.55 * style.unit), n(1.5 * style.unit), number);
+  if (d.severity != Severity::kNote)
+    text += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\" stroke=\"none\">{}</text>\n",
+                        n(pin.x() + 1.6 * style.unit), n(pin.y() + 0.5 * style.unit),
+                        n(1.4 * style.unit), EscapeXml(d.code));
+  return text + "</g>\n";
 }
 
 }  // namespace
@@ -189,31 +216,9 @@ std::string LabelsLayer(const Model& model, const PictureStyle& style) {
 }
 
 std::string DiagnosticsLayer(const Model& model, const PictureStyle& style) {
-  const SvgNumbers& n = style.numbers;
   std::string text;
-  for (std::size_t i = 0; i < model.diagnostics.size(); ++i) {
-    const Diagnostic& d = model.diagnostics[i];
-    if (!d.at) continue;
-    const char* color = d.severity == Severity::kError     ? kProblem
-                        : d.severity == Severity::kWarning ? kGuess
-                                                           : "#6b7280";
-    const Eigen::Vector2d pin = *d.at + style.unit * Eigen::Vector2d(1.8, -2.4);
-    text += fmt::format("<g fill=\"{0}\" stroke=\"{0}\"><title>{1}</title>\n", color,
-                        EscapeXml(d.message));
-    text += fmt::format("<path d=\"{}\" stroke-width=\"{}\"/>\n", n.Line({*d.at, pin}),
-                        n(0.25 * style.unit));
-    text += fmt::format("<g fill=\"none\" stroke-width=\"{}\">{}</g>\n", n(0.3 * style.unit),
-                        Circle(style, *d.at, 0.9 * style.unit));
-    text += Circle(style, pin, 1.25 * style.unit);
-    text += fmt::format(
-        "<text x=\"{}\" y=\"{}\" font-size=\"{}\" fill=\"#ffffff\" stroke=\"none\" "
-        "text-anchor=\"middle\" font-weight=\"bold\">{}</text>\n",
-        n(pin.x()), n(pin.y() + 0.55 * style.unit), n(1.5 * style.unit), i + 1);
-    text +=
-        fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\" stroke=\"none\">{}</text>\n</g>\n",
-                    n(pin.x() + 1.6 * style.unit), n(pin.y() + 0.5 * style.unit),
-                    n(1.4 * style.unit), EscapeXml(d.code));
-  }
+  for (std::size_t i = 0; i < model.diagnostics.size(); ++i)
+    if (model.diagnostics[i].at) text += Pin(model.diagnostics[i], i + 1, style);
   return Group("diagnostics", "font-family=\"sans-serif\"", text);
 }
 

@@ -4,21 +4,21 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cstddef>
 #include <string>
 
 namespace lascaux {
 namespace {
 
 std::string PartsSentence(const DepthGraph& graph) {
-  const auto count = [&graph](auto&& wanted) {
-    return std::count_if(graph.nodes.begin(), graph.nodes.end(), wanted);
+  const auto count = [&graph](PartRole role) {
+    return std::count_if(graph.nodes.begin(), graph.nodes.end(),
+                         [role](const DepthNode& node) { return node.role == role; });
   };
-  const auto parts = count([](const DepthNode& n) { return n.role != PartRole::kIgnored; });
-  const auto pairs = count([](const DepthNode& n) { return n.role == PartRole::kForeground; });
-  const auto drawn = count(
-      [](const DepthNode& n) { return n.role == PartRole::kForeground && n.pair.has_value(); });
-  return fmt::format("{} parts, {} of them the near ones of a pair ({} with the far one drawn)",
-                     parts, pairs, drawn);
+  const auto parts = static_cast<std::ptrdiff_t>(graph.nodes.size()) - count(PartRole::kIgnored);
+  const auto pairs = count(PartRole::kForeground);
+  return fmt::format("{} part{}, {} pair{} of limbs", parts, parts == 1 ? "" : "s", pairs,
+                     pairs == 1 ? "" : "s");
 }
 
 std::string MeshSentence(const Model& model) {
