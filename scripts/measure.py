@@ -28,7 +28,8 @@ def measure(sketch, arguments, folder):
     if arguments.keep:
         outputs += ["-o", folder / f"{sketch.stem}.png", "-o", folder / f"{sketch.stem}.svg"]
     build = subprocess.run([arguments.program, "build", sketch, *outputs, "--resolution",
-                            str(arguments.resolution), "--quiet"], capture_output=True, text=True)
+                            str(arguments.resolution), "--quiet", *arguments.options.split()],
+                           capture_output=True, text=True)
     if build.returncode:
         lines = build.stderr.strip().splitlines() or [""]
         return {"failed": f"exit {build.returncode}: {lines[-1].split(': ', 1)[-1]}"}
@@ -70,6 +71,7 @@ def main():
     parser.add_argument("--program", default=str(pathlib.Path(__file__).resolve().parent.parent /
                                                  "build/release/bin/lascaux"))
     parser.add_argument("--resolution", type=int, default=256)
+    parser.add_argument("--options", default="", help="more options for the build, as in --options='--fit none'")
     parser.add_argument("--misses", action="store_true", help="what is wrong, below each row")
     parser.add_argument("--keep", type=pathlib.Path, help="a folder for meshes, previews and parses")
     arguments = parser.parse_args()
