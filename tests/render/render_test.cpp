@@ -172,7 +172,8 @@ TEST(Render, AnEmptyGridIsAnError) {
   EXPECT_EQ(image.diagnostics()[0].code, "empty-grid");
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // which end the program instead
+#if !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)  // which end the program instead
 TEST(Render, APictureThatDoesNotFitIntoMemoryIsAnError) {
   const auto image = Render(*Sphere(), {.width = 1'000'000, .height = 1'000'000});
   ASSERT_FALSE(image.ok());

@@ -39,7 +39,8 @@ struct FieldPart {
 
 /// F = max over root parts of f, and over parts with a parent of Ricci(f_part, f_parent).
 ///
-/// All of it times gain(x, y), if there is one. Only a part and its parent blend, so siblings never web. The surface is F = 1, inside is F > 1.
+/// All of it times gain(x, y), if there is one. Only a part and its parent blend, so siblings never
+/// web. The surface is F = 1, inside is F > 1.
 struct Field {
   std::vector<FieldPart> parts;
   double chain_exponent = 4;  ///< Ricci exponent between the chains of a part
