@@ -94,7 +94,7 @@ openvdb::MetaMap FileMetadata(const WriteVdbOptions& options) {
 void SetId(std::string& bytes) {
   bytes.replace(kIdOffset, kIdLength, kIdLength, '0');
   std::string id = ContentHashText(bytes);
-  for (const std::size_t dash : {8, 13, 18, 23}) id.insert(dash, 1, '-');
+  for (const unsigned dash : {8U, 13U, 18U, 23U}) id.insert(dash, 1, '-');
   bytes.replace(kIdOffset, kIdLength, id);
 }
 

@@ -48,7 +48,7 @@ class StandardInput {
 
 TEST(ReadBytes, GivesWhatWasWritten) {
   const TemporaryFolder folder;
-  for (const std::size_t size : {0, 1, 65535, 65536, 65537, 1000000}) {
+  for (const std::size_t size : {0U, 1U, 65535U, 65536U, 65537U, 1000000U}) {
     const std::string bytes = RandomBytes(size, 1);
     ASSERT_TRUE(WriteBytes(folder / "a", bytes).empty());
     const auto read = ReadBytes(folder / "a");

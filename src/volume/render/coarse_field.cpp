@@ -29,8 +29,8 @@ CoarseField::CoarseField(const openvdb::FloatGrid& grid, int nodes) {
   const openvdb::Coord extent = box.dim();
   const int longest = std::max({extent.x(), extent.y(), extent.z()});
   const int stride = std::max(1, (longest + nodes - 1) / nodes);
-  for (int axis = 0; axis < 3; ++axis) {
-    size_[static_cast<std::size_t>(axis)] = extent[axis] / stride + 2 + 2 * kMargin;
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    size_[axis] = extent[axis] / stride + 2 + 2 * kMargin;
   }
   const openvdb::Coord origin = box.min() - openvdb::Coord(kMargin * stride);
   origin_ = ToVector(origin);

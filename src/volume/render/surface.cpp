@@ -57,9 +57,9 @@ Surface::Surface(const openvdb::FloatGrid& grid, const CoarseField& coarse)
   // A leaf to spare on every side: cells and stencils reach beyond the rays' box.
   const auto leaf_of = [](float x) { return static_cast<int>(std::floor(x / kLeafSize)); };
   openvdb::Coord first;
-  for (int axis = 0; axis < 3; ++axis) {
+  for (unsigned axis = 0; axis < 3; ++axis) {
     first[axis] = leaf_of(low_[axis]) - 1;
-    size_[static_cast<std::size_t>(axis)] = leaf_of(high_[axis]) + 2 - first[axis];
+    size_[axis] = leaf_of(high_[axis]) + 2 - first[axis];
     origin_[axis] = static_cast<float>(first[axis] * kLeafSize);
   }
   (*constant_)[0].fill(grid.background());
