@@ -348,7 +348,7 @@ def main():
     else:
         print(text)
     if arguments.json:
-        arguments.json.write_text(json.dumps(results, indent=1, default=float))
+        arguments.json.write_text(json.dumps(results, indent=1, default=lambda value: value.tolist()))
     return 0
 
 
