@@ -19,7 +19,7 @@ enum class LastStage : std::uint8_t {
 };
 
 /// How the model meets the drawing's outline.
-enum class OutlineFit : std::uint8_t {
+enum class OutlineFit {
   kNone,   ///< discs of the medial axis as they are: raw SCALIS with caps
   kExact,  ///< fitted, and what the fit leaves normalised away
 };

@@ -183,6 +183,21 @@ TEST(PlanarMap, ScribbleIsRefused) {
   EXPECT_TRUE(Has(map.diagnostics(), "too-tangled"));
 }
 
+TEST(PlanarMap, StrokesThatFloatInsideAreNoIslands) {
+  for (unsigned seed = 1; seed <= 50; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> at(10, 90);
+    const auto p = [&] { return Vector2d(at(random), at(random)); };
+    const auto map = BuildPlanarMap(SketchOf({Loop(kSquare), Straight({p(), p(), p(), p()})}));
+    ASSERT_TRUE(map);
+    for (const MapCycle& cycle : map->cycles) {
+      if (cycle.kind == CycleKind::kIsland) {
+        EXPECT_GT(cycle.area, 1e-6) << "seed " << seed;
+      }
+    }
+  }
+}
+
 TEST(PlanarMap, HatchingIsRefused) {
   Sketch sketch;
   for (int i = 0; i < 20'001; ++i) sketch.strokes.push_back(Straight({{i * 1.0, 0}, {i * 1.0, 3}}));

@@ -79,6 +79,13 @@ void WalkCycles(PlanarMap& map) {
     }
     map.cycles.push_back(std::move(cycle));
   }
+  // A tree has no inside; what the sum leaves there is rounding.
+  for (MapCycle& cycle : map.cycles) {
+    const bool tree = std::all_of(cycle.half_edges.begin(), cycle.half_edges.end(), [&](int h) {
+      return map.cycle[Index(PlanarMap::Twin(h))] == map.cycle[Index(h)];
+    });
+    if (tree) cycle.area = 0;
+  }
 }
 
 /// Connected components of the map, as the smallest node of each.
