@@ -49,6 +49,8 @@ const char* Name(LimbEvidence evidence) {
       return "two-curves";
     case LimbEvidence::kOneCurve:
       return "one-curve";
+    case LimbEvidence::kFarSide:
+      return "far-side";
     case LimbEvidence::kNeck:
       break;
   }

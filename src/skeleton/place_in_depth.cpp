@@ -197,7 +197,9 @@ class Placer {
     const PartRole role = graph_.nodes[Index(part.part)].role;
     part.mirrored = parent.mirrored || role == PartRole::kForeground || role == PartRole::kIsland;
     part.z = parent.z;
-    if (role == PartRole::kForeground) part.z = LimbDepth(parent, surface, part);
+    // More of a limb (a hoof) stays at the limb's depth.
+    const bool over = graph_.nodes[Index(part.part)].relation == Relation::kOver;
+    if (role == PartRole::kForeground && over) part.z = LimbDepth(parent, surface, part);
     if (role == PartRole::kIsland) part.z = IslandDepth(surface, part);
     const Support support{surface, parts_.parts[Index(parent.part)].outline.points};
     part.z = HeldDepth(part, support, part.z, parent.z);

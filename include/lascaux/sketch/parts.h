@@ -35,8 +35,8 @@ struct Outline {
 };
 
 /// How a limb was cut from its parent: two suggestive curves, or one and a partner that was
-/// inferred, or a neck.
-enum class LimbEvidence : std::uint8_t { kTwoCurves, kOneCurve, kNeck };
+/// inferred, or a neck, or a far side that is drawn beside it.
+enum class LimbEvidence : std::uint8_t { kTwoCurves, kOneCurve, kNeck, kFarSide };
 
 /// The place where a limb grows out of its parent.
 struct LimbRoot {
@@ -97,7 +97,7 @@ struct FindPartsOptions {
 /// limbs cut from it, parents before children; then islands, and enclosed cells.
 ///
 /// A limb is a stretch of outline between two suggestive curves (paired by least total energy over
-/// the whole cycle), or between one and the contour, if it comes down to the ground
+/// the whole cycle), or between one and the contour, or a bump beside a cell that is its far side
 /// (docs/structure.md). Every map gives parts; there are no errors.
 Outcome<Parts> FindParts(const PlanarMap& map, const FindPartsOptions& options = {},
                          const Execution& execution = {});

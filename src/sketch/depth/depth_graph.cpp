@@ -6,6 +6,7 @@
 #include "sketch/depth/adjacency.h"
 #include "sketch/depth/body.h"
 #include "sketch/depth/pairs.h"
+#include "sketch/depth/place_cells.h"
 
 namespace lascaux {
 namespace {
@@ -34,62 +35,6 @@ void PlaceLimbs(const Parts& parts, const std::vector<std::optional<int>>& far_o
         near.pair = static_cast<int>(i);
       }
     }
-  }
-}
-
-/// True when a cell lies nearer to the limb's root than to its tip, the point farthest from its
-/// top.
-bool IsAtRoot(const Part& limb, const Part& cell) {
-  const LimbRoot& root = *limb.root;
-  const Vector2d joint = 0.5 * (root.closed[0] + root.closed[1]);
-  const Vector2d top = 0.5 * (root.open[0] + root.open[1]), at = Centroid(cell.outline.points);
-  const auto& points = limb.outline.points;
-  const Vector2d tip =
-      *std::max_element(points.begin(), points.end(), [&](const Vector2d& p, const Vector2d& q) {
-        return (p - top).squaredNorm() < (q - top).squaredNorm();
-      });
-  return (at - joint).norm() < (at - tip).norm();
-}
-
-/// Everything else hangs on the part that it shares the longest line with, outwards from the body.
-void PlaceAdjacent(const Parts& parts, const Adjacency& adjacency, DepthGraph& graph) {
-  std::vector<bool> placed(parts.parts.size());
-  for (Index i = 0; i < placed.size(); ++i) {
-    placed[i] = static_cast<int>(i) == graph.body || graph.nodes[i].relation == Relation::kOver;
-  }
-  while (true) {
-    double longest = 0;
-    Index part = 0;
-    int parent = -1;
-    for (Index i = 0; i < placed.size(); ++i) {
-      if (placed[i] || parts.parts[i].kind != PartKind::kBorder ||
-          graph.nodes[i].relation == Relation::kUnder)
-        continue;
-      for (const auto& [other, length] : adjacency.shared[i]) {
-        if (!placed[static_cast<Index>(other)] || length <= longest) continue;
-        longest = length;
-        part = i;
-        parent = other;
-      }
-    }
-    if (parent < 0) break;
-    DepthNode& node = graph.nodes[part];
-    // Beside a limb's far end: more of the limb (a hoof). Beside its root: something in the plane
-    // that the limb hides.
-    while (parts.parts[static_cast<Index>(parent)].root &&
-           IsAtRoot(parts.parts[static_cast<Index>(parent)], parts.parts[part])) {
-      parent = *parts.parts[static_cast<Index>(parent)].over;
-    }
-    const PartRole parent_role = graph.nodes[static_cast<Index>(parent)].role;
-    node.role = parent_role == PartRole::kForeground ? PartRole::kForeground : PartRole::kSagittal;
-    node.parent = parent;
-    node.relation = Relation::kAdjacent;
-    placed[part] = true;
-  }
-  for (Index i = 0; i < placed.size(); ++i) {
-    const bool loose = !placed[i] && parts.parts[i].kind == PartKind::kBorder &&
-                       graph.nodes[i].relation == Relation::kNone;
-    if (loose) graph.nodes[i].role = PartRole::kIgnored;
   }
 }
 
@@ -189,7 +134,7 @@ Outcome<DepthGraph> OrderByDepth(const PlanarMap& map, const Parts& parts,
   DepthNode& torso = graph.nodes[static_cast<Index>(graph.body)];
   torso = DepthNode{};
   torso.role = PartRole::kBody;
-  PlaceAdjacent(parts, adjacency, graph);
+  PlaceCells(map, parts, adjacency, graph);
   PlaceIslands(parts, graph);
   DropOrphans(graph);
   NameParts(graph);

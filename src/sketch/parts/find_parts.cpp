@@ -38,6 +38,7 @@ std::vector<Part> PartsOf(const PlanarMap& map, int cycle, int first_id,
         limbs.begin(), limbs.end(), [&](const LimbCut& other) { return Cross(line, limb, other); });
     if (!crossing) limbs.push_back(std::move(limb));
   }
+  for (LimbCut& limb : LimbsBesideCells(face, limbs)) limbs.push_back(std::move(limb));
   return CutFace(face, cycle, limbs, first_id);
 }
 

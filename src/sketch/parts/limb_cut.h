@@ -51,6 +51,12 @@ Pairing PairCurves(const FaceView& face, const FindPartsOptions& options);
 /// rump); else it is the drawn curve's mirror image.
 std::vector<LimbCut> OneCurveLimbs(const FaceView& face, const Pairing& pairing);
 
+/// Limbs that no suggestive curve shows, but their far side does: a cell behind the face, and
+/// beside it a bump of the contour that is as long and points the same way. It is cut across its
+/// narrowest place. `known` limbs are left alone, and so are cells that touch one. O(n) in the
+/// points of the boundary for each cell.
+std::vector<LimbCut> LimbsBesideCells(const FaceView& face, const std::vector<LimbCut>& known);
+
 /// The parts of one face: first what is left of the face itself, then its limbs, parents before
 /// children. `first_id` is the id that the first of them will have.
 std::vector<Part> CutFace(const FaceView& face, int cycle, const std::vector<LimbCut>& limbs,

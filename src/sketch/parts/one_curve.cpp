@@ -16,19 +16,29 @@ using Eigen::Vector2d;
 constexpr double kShortestAlone = 0.02;
 /// ... and its limb's edge runs on from it this straight.
 constexpr double kStraightOn = std::numbers::pi / 4;
+/// ... or, if nothing that it runs straight on from is a limb, turns into it at most so far: the
+/// belly's line that ends on the leg.
+constexpr double kTurnsInto = std::numbers::pi / 3;
 /// The limb reaches at least this many times the width of its root away from it.
 constexpr double kLeastReach = 1.2;
 /// The contour is the limb's other flank if it leaves its closed end within this angle of the drawn
 /// curve's direction.
 constexpr double kAlong = std::numbers::pi / 3.6;
 /// Width of the root, share of the diagonal: below it is a hair, above it is half the animal.
-constexpr double kLeastWidth = 0.015, kMostWidth = 0.3;
+constexpr double kLeastWidth = 0.015, kMostWidth = 0.22;
 /// How much wider than at its narrowest the root may be at a corner or junction that is taken for
 /// its end.
 constexpr double kFeatureSlack = 1.3;
 /// One curve alone is weak evidence: only of legs is it common. A leg reaches the lowest part of
 /// the drawing, this share of its height.
-constexpr double kGround = 0.25;
+constexpr double kGround = 0.35;
+/// Share of the face: more is the animal, not its limb.
+constexpr double kMostShare = 0.25;
+/// From the middle of its root the limb reaches so many times its root's width: less is a bulge,
+/// more a tail.
+constexpr double kLeastTip = 0.8, kMostTip = 5.0;
+/// An ear is at most this share of the face, and points up (sine of the angle).
+constexpr double kMostEar = 0.08, kUpright = 0.5;
 /// Steps of the search along the contour, share of the diagonal.
 constexpr double kStep = 2.5e-3;
 /// Turn of the contour that counts as a corner.
@@ -102,18 +112,42 @@ double MovedToFeature(const Walker& walker, double place, double step) {
   return best;
 }
 
-/// True when the stretch of contour from the closed end to `place` comes down to where the animal
-/// stands.
-bool ReachesTheGround(const Walker& walker, double place, double step) {
-  double top = std::numeric_limits<double>::infinity(), bottom = -top, lowest = -top;
-  for (const MapEdge& edge : walker.face.map.edges) {
+/// The stretch of contour from the closed end to `place`, as a limb: which way it points, where it
+/// ends, how much of the face it is.
+struct Protrusion {
+  Vector2d tip;       ///< from the middle of its root
+  double lowest = 0;  ///< y of its lowest point
+  double share = 0;   ///< of the face's area
+};
+
+Protrusion ProtrusionOf(const Walker& walker, double place, double step) {
+  Polyline own;
+  for (double s = 0; s < place; s += step) own.push_back(walker.At(s));
+  own.push_back(walker.At(place));
+  const Vector2d root = 0.5 * (own.front() + own.back());
+  Protrusion result{Vector2d::Zero(), -std::numeric_limits<double>::infinity(), 0};
+  for (const Vector2d& p : own) {
+    if ((p - root).squaredNorm() > result.tip.squaredNorm()) result.tip = p - root;
+    result.lowest = std::max(result.lowest, p.y());
+  }
+  result.share = std::abs(SignedArea(own) / SignedArea(walker.face.line.points));
+  return result;
+}
+
+/// A leg comes down to where the animal stands, an ear is small and stands up; neither is the
+/// larger half of the animal.
+bool IsLegOrEar(const FaceView& face, const Protrusion& limb, double width) {
+  if (limb.tip.norm() < kLeastTip * width || limb.tip.norm() > kMostTip * width) return false;
+  double top = std::numeric_limits<double>::infinity(), bottom = -top;
+  for (const MapEdge& edge : face.map.edges) {
     for (const Vector2d& p : edge.points) {
       top = std::min(top, p.y());
       bottom = std::max(bottom, p.y());
     }
   }
-  for (double s = 0; s < place; s += step) lowest = std::max(lowest, walker.At(s).y());
-  return lowest > bottom - kGround * (bottom - top);
+  if (limb.share > kMostShare) return false;
+  if (limb.lowest > bottom - kGround * (bottom - top)) return true;
+  return limb.share < kMostEar && -limb.tip.y() > kUpright * limb.tip.norm();
 }
 
 bool IsInsideFace(const FaceView& face, const Vector2d& a, const Vector2d& b) {
@@ -164,20 +198,16 @@ Flank OtherFlank(const Walker& walker, double place, const SuggestiveCurve& curv
   return {mirrored, OutlineKind::kCompletion};
 }
 
-std::optional<LimbCut> LimbOf(const FaceView& face, const Pairing& pairing,
-                              const SuggestiveCurve& curve) {
-  const double diagonal = face.map.diagonal, step = kStep * diagonal;
-  if (curve.length < kShortestAlone * diagonal) return std::nullopt;
-  const int sign = curve.turn_after < curve.turn_before ? 1 : -1;
-  if (std::min(curve.turn_after, curve.turn_before) > kStraightOn) return std::nullopt;
-  const double start = curve.arc;
+std::optional<LimbCut> LimbTowards(const FaceView& face, const Pairing& pairing,
+                                   const SuggestiveCurve& curve, int sign) {
+  const double diagonal = face.map.diagonal, step = kStep * diagonal, start = curve.arc;
   const Walker walker{face, start, sign, FreeWay(face, pairing, start, sign)};
   const auto nearest = NearestBeyondTip(walker, step);
   if (!nearest) return std::nullopt;
   const double place = MovedToFeature(walker, *nearest, step);
-  if (!ReachesTheGround(walker, place, step)) return std::nullopt;
   const Vector2d a = walker.At(0), b = walker.At(place);
   const double width = (b - a).norm();
+  if (!IsLegOrEar(face, ProtrusionOf(walker, place, step), width)) return std::nullopt;
   if (width < kLeastWidth * diagonal || width > kMostWidth * diagonal || !IsInsideFace(face, a, b))
     return std::nullopt;
   Flank flank = OtherFlank(walker, place, curve);
@@ -198,6 +228,19 @@ std::optional<LimbCut> LimbOf(const FaceView& face, const Pairing& pairing,
     std::swap(limb.from_kind, limb.to_kind);
   }
   return limb;
+}
+
+/// The limb on the side whose contour runs on into the curve straighter, or the one on the other
+/// side.
+std::optional<LimbCut> LimbOf(const FaceView& face, const Pairing& pairing,
+                              const SuggestiveCurve& curve) {
+  if (curve.length < kShortestAlone * face.map.diagonal) return std::nullopt;
+  const bool ahead = curve.turn_after < curve.turn_before;
+  const int straight = ahead ? 1 : -1;
+  const auto [small, large] = std::minmax(curve.turn_before, curve.turn_after);
+  if (small > kStraightOn) return std::nullopt;
+  if (auto limb = LimbTowards(face, pairing, curve, straight)) return limb;
+  return large < kTurnsInto ? LimbTowards(face, pairing, curve, -straight) : std::nullopt;
 }
 
 }  // namespace

@@ -24,6 +24,10 @@ constexpr double kWidest = 0.4;
 /// ... and it sticks out: its own contour is at least so many times as long as the chord between
 /// them.
 constexpr double kLeastProtrusion = 1.25;
+/// Or contour and curves close by themselves, being so many times as long as the way between the
+/// open ends. That is so where a limb behind meets it near its tip, and then the closed ends, which
+/// lie on two limbs, say nothing of the parent's line.
+constexpr double kLeastEnclosure = 10;
 /// Least value of the paper's p: even the best angles leave some of the completions' energy.
 constexpr double kLeastP = 0.05;
 /// Share of the chord between closed ends that has to run through the face.
@@ -66,8 +70,10 @@ double PairEnergy(const FaceView& face, int i, int j, double limit) {
   const SuggestiveCurve& b = face.curves[static_cast<std::size_t>(j)];
   const double turns = kTurnCost * (a.turn_after * a.turn_after + b.turn_before * b.turn_before);
   const Vector2d chord = b.points.front() - a.points.front();
-  if (turns >= limit || face.line.Ahead(a.arc, b.arc) < kLeastProtrusion * chord.norm())
-    return kNever;
+  const double walk = face.line.Ahead(a.arc, b.arc);
+  const double opening = (b.points.back() - a.points.back()).norm();
+  const bool encloses = walk + a.length + b.length >= kLeastEnclosure * opening;
+  if (turns >= limit || (walk < kLeastProtrusion * chord.norm() && !encloses)) return kNever;
   const double reach = TangentReach(face.map);
   const Vector2d arrival_a = face.line.DirectionBefore(a.arc, reach);
   const Vector2d arrival_b = -face.line.DirectionAfter(b.arc, reach);
@@ -75,7 +81,7 @@ double PairEnergy(const FaceView& face, int i, int j, double limit) {
   const double closed =
       Complete({a.points.front(), arrival_a}, {b.points.front(), arrival_b}).energy;
   const double open = Complete({a.points.back(), a.tip}, {b.points.back(), b.tip}).energy;
-  return p * (open + closed) + turns;
+  return p * (encloses ? open : open + closed) + turns;
 }
 
 /// Interval dynamic programme over the curves in walk order: the non-crossing assignment of least

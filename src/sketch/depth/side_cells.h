@@ -1,0 +1,51 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "lascaux/sketch/depth_graph.h"
+#include "sketch/depth/adjacency.h"
+
+/// @file
+/// Closed cells beside the body that come in pairs: legs and ears drawn without a suggestive curve.
+
+namespace lascaux {
+
+/// Looks at cells one by one, as the depth stage hangs them on parts that are already placed.
+class SideCells {
+ public:
+  /// `graph` has the body and the limbs with their far sides.
+  SideCells(const PlanarMap& map, const Parts& parts, const Adjacency& adjacency,
+            const DepthGraph& graph);
+
+  /// True when a cell that hangs on `parent`, a part in the plane, leaves it sideways and is one of
+  /// a pair. `more` are the cells that hang on the cell alone (a hoof), which count as its own.
+  ///
+  /// A leg is longer than wide, leaves its parent's underside and comes down to the ground. An ear
+  /// or a horn leaves the upper side of the head upwards, longer than its joint. The head is where
+  /// the eyes are; without any, the end of the body that reaches farther beyond the legs. An animal
+  /// without a single limb has fins, not ears.
+  bool IsOneOfAPair(int cell, int parent, const std::vector<int>& more) const;
+
+  /// Is this leg's far or near side beside it? How unlike they are, or none.
+  std::optional<double> Unlikeness(int one, int other, int parent) const;
+
+  /// How far down a cell reaches, in sketch units.
+  double Lowest(int cell) const;
+
+ private:
+  struct Shape;
+  Shape ShapeOf(int cell, int parent, const std::vector<int>& more) const;
+  bool IsLeg(const Shape& shape, int parent) const;
+  bool IsEar(const Shape& shape, int cell, int parent) const;
+  bool IsAtHead(const Eigen::Vector2d& joint) const;
+
+  const PlanarMap& map_;
+  const Parts& parts_;
+  const Adjacency& adjacency_;
+  std::vector<Eigen::Vector2d> eyes_, roots_;
+  double top_ = 0, bottom_ = 0, left_ = 0, right_ = 0;  ///< bounds: of the drawing, of the body
+};
+
+}  // namespace lascaux
