@@ -10,6 +10,7 @@
 #include "lascaux/io/content_hash.h"
 #include "lascaux/io/read_file.h"
 #include "progress.h"
+#include "settle.h"
 #include "stopwatch.h"
 #include "summary.h"
 #include "version.h"
@@ -55,6 +56,20 @@ Outcome<std::vector<std::vector<OutputTarget>>> Plan(Verb verb, const CommandOpt
   return PlanOutputs(options.sketches, *requests);
 }
 
+/// What `lascaux render` needs to show the face; empty when the head is anywhere.
+std::vector<std::pair<std::string, std::string>> HeadMetadata(const Model& model) {
+  if (!model.graph) return {};
+  switch (FindHead(model)) {
+    case HeadEnd::kLeft:
+      return {{"lascaux_head", "left"}};
+    case HeadEnd::kRight:
+      return {{"lascaux_head", "right"}};
+    case HeadEnd::kUnknown:
+      break;
+  }
+  return {};
+}
+
 std::vector<std::pair<std::string, std::string>> Metadata(const PipelineOptions& options,
                                                           std::string_view bytes) {
   std::string settings = fmt::format("size={} voxel_size={} blend={}", options.size,
@@ -77,8 +92,8 @@ struct Job {
 /// The last stage that the outputs need.
 LastStage LastStageFor(Verb verb, const std::vector<OutputTarget>& targets) {
   if (verb == Verb::kInspect) return LastStage::kCreature;
-  const bool picture = std::any_of(targets.begin(), targets.end(),
-                                   [](const auto& t) { return t.kind == OutputKind::kPng; });
+  const bool picture =
+      std::any_of(targets.begin(), targets.end(), [](const auto& t) { return IsPicture(t.kind); });
   return picture ? LastStage::kPreview : LastStage::kMesh;
 }
 
@@ -96,6 +111,7 @@ Model Make(const Job& job, const CommandOptions& options, const Execution& execu
   if (!bytes) return model;
   PipelineOptions pipeline = options.pipeline;
   pipeline.last = job.last;
+  if (HasLayers(job.targets)) pipeline.preview.render.layers = Layers::kAll;
   model = RunPipeline(*bytes, pipeline, execution);
   model.file = job.sketch;
   model.timings.stages.front().second += reading.stages.front().second;
@@ -105,6 +121,7 @@ Model Make(const Job& job, const CommandOptions& options, const Execution& execu
   if (code != ExitCode::kSuccess && !diagnosed) return model;
   WriteOptions write = options.write;
   write.metadata = Metadata(options.pipeline, *bytes);
+  for (auto& entry : HeadMetadata(model)) write.metadata.push_back(std::move(entry));
   WriteOutputs(model, job.targets, write, execution);
   return model;
 }

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <map>
 
+#include "picture_arguments.h"
+#include "render_arguments.h"
 #include "version.h"
 
 namespace lascaux {
@@ -19,6 +21,7 @@ Examples:
   lascaux build *.svg -o 'out/{}.stl' --report 'out/{}.json'
   lascaux build cat.svg -o cat.stl --size 80 --resolution 512
   lascaux inspect cat.svg -o parse.svg
+  lascaux render cat.vdb -o views.png --contact-sheet
   cat cat.svg | lascaux build - --format svg -o cat.vdb
 )";
 
@@ -85,9 +88,10 @@ void AddBuild(CLI::App& app, CommandLine& line) {
   constexpr double kLargestBlend = 64;         // the field's own limit on exponents
   CommandOptions& options = line.options;
   PipelineOptions& pipeline = options.pipeline;
-  app.add_option("-o,--output", options.outputs,
-                 "A file to write, again for each more: .vdb .stl .ply .png .json (report) .svg "
-                 "(how the drawing was read); {} stands for the sketch's name")
+  app.add_option(
+         "-o,--output", options.outputs,
+         "A file to write, again for each more: .vdb .stl .ply .png .exr .json (report) .svg "
+         "(how the drawing was read); {} stands for the sketch's name")
       ->type_name("FILE")
       ->take_all();
   AddShared(app, line);
@@ -119,6 +123,9 @@ void AddBuild(CLI::App& app, CommandLine& line) {
       ->transform(CLI::Transformer(std::map<std::string, Unit>{
           {"mm", Unit::kMillimetre}, {"cm", Unit::kCentimetre}, {"m", Unit::kMetre}}))
       ->type_name("UNIT");
+  AddViews(app, pipeline.preview.views);
+  AddPictureSize(app, "--picture-size", pipeline.preview.render);
+  AddBackground(app, pipeline.preview.render);
   app.add_option("--report", options.reports, "Writes the report, whatever the file's ending")
       ->type_name("FILE")
       ->take_all();
@@ -162,13 +169,16 @@ std::variant<CommandLine, Answer> ParseCommandLine(std::vector<std::string> argu
   app.require_subcommand(1);
   CLI::App* build = app.add_subcommand("build", "Turns drawings into models");
   CLI::App* inspect = app.add_subcommand("inspect", "Shows how a drawing was read");
+  CLI::App* render = app.add_subcommand("render", "Draws pictures of level sets");
   AddBuild(*build, line);
   AddInspect(*inspect, line);
+  AddRender(*render, line.render, line.threads);
   try {
     std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
     app.parse(arguments);
   } catch (const CLI::CallForHelp&) {
-    const CLI::App* asked = build->parsed() ? build : inspect->parsed() ? inspect : &app;
+    const auto verbs = app.get_subcommands();
+    const CLI::App* asked = verbs.empty() ? &app : verbs.front();
     return Answer{ExitCode::kSuccess, asked->help()};
   } catch (const CLI::CallForVersion&) {
     return Answer{ExitCode::kSuccess, VersionText()};
@@ -177,7 +187,7 @@ std::variant<CommandLine, Answer> ParseCommandLine(std::vector<std::string> argu
                   fmt::format("lascaux: error: usage: {}; lascaux --help shows how\n",
                               OneLine(error.what()))};
   }
-  line.verb = inspect->parsed() ? Verb::kInspect : Verb::kBuild;
+  line.verb = inspect->parsed() ? Verb::kInspect : render->parsed() ? Verb::kRender : Verb::kBuild;
   return line;
 }
 

@@ -6,6 +6,7 @@
 
 #include "command.h"
 #include "exit_code.h"
+#include "render_command.h"
 
 namespace lascaux {
 
@@ -13,7 +14,8 @@ namespace lascaux {
 struct CommandLine {
   Verb verb = Verb::kBuild;
   CommandOptions options;
-  int threads = 0;  ///< 0: all that the machine has
+  RenderCommandOptions render;  ///< for Verb::kRender, instead of `options`
+  int threads = 0;              ///< 0: all that the machine has
 };
 
 /// A command line that is answered at once: with help or the version on standard output, or an

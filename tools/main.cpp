@@ -22,6 +22,9 @@ int Run(int argc, char** argv) {
   const auto& line = std::get<lascaux::CommandLine>(parsed);
   const lascaux::Execution execution{
       .threads = line.threads, .cancel = &lascaux::WatchForInterrupts(), .progress = {}};
+  if (line.verb == lascaux::Verb::kRender) {
+    return static_cast<int>(lascaux::RunRender(line.render, execution));
+  }
   return static_cast<int>(lascaux::RunCommand(line.verb, line.options, execution));
 }
 

@@ -17,8 +17,8 @@
 #include "lascaux/sketch/sketch.h"
 #include "lascaux/volume/check_mesh.h"
 #include "lascaux/volume/fidelity.h"
-#include "lascaux/volume/image.h"
 #include "lascaux/volume/mesh.h"
+#include "lascaux/volume/picture.h"
 
 namespace lascaux {
 
@@ -55,7 +55,7 @@ struct Model {
   std::optional<Mesh> mesh;
   std::optional<MeshFacts> facts;
   std::optional<Fidelity> fidelity;
-  std::optional<Image> preview;
+  std::optional<Picture> preview;
   Diagnostics diagnostics;
   Timings timings;
 };

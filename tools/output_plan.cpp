@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string_view>
 #include <system_error>
 
@@ -22,16 +23,37 @@ struct Ending {
 };
 
 constexpr std::array kBuildEndings = {
-    Ending{".vdb", OutputKind::kVdb},     Ending{".stl", OutputKind::kStl},
-    Ending{".ply", OutputKind::kPly},     Ending{".png", OutputKind::kPng},
-    Ending{".json", OutputKind::kReport}, Ending{".svg", OutputKind::kParsePicture}};
+    Ending{".vdb", OutputKind::kVdb},         Ending{".stl", OutputKind::kStl},
+    Ending{".ply", OutputKind::kPly},         Ending{".png", OutputKind::kPng},
+    Ending{".exr", OutputKind::kExr},         Ending{".json", OutputKind::kReport},
+    Ending{".svg", OutputKind::kParsePicture}};
 constexpr std::array kInspectEndings = {Ending{".svg", OutputKind::kParsePicture},
                                         Ending{".json", OutputKind::kParseDump}};
-constexpr std::string_view kBuildFormats = ".vdb .stl .ply .png .json .svg";
+constexpr std::array kRenderEndings = {Ending{".png", OutputKind::kPng},
+                                       Ending{".exr", OutputKind::kExr}};
+constexpr std::string_view kBuildFormats = ".vdb .stl .ply .png .exr .json .svg";
 constexpr std::string_view kInspectFormats = ".svg .json";
+constexpr std::string_view kRenderFormats = ".png .exr";
 
-template <std::size_t N>
-std::optional<OutputKind> KindOf(const std::array<Ending, N>& endings, const std::string& ending) {
+struct VerbFormats {
+  std::string_view verb;
+  std::span<const Ending> endings;
+  std::string_view list;
+};
+
+VerbFormats FormatsOf(Verb verb) {
+  switch (verb) {
+    case Verb::kInspect:
+      return {"inspect", kInspectEndings, kInspectFormats};
+    case Verb::kRender:
+      return {"render", kRenderEndings, kRenderFormats};
+    case Verb::kBuild:
+      break;
+  }
+  return {"build", kBuildEndings, kBuildFormats};
+}
+
+std::optional<OutputKind> KindOf(std::span<const Ending> endings, const std::string& ending) {
   const auto found = std::find_if(endings.begin(), endings.end(),
                                   [&](const Ending& e) { return e.text == ending; });
   if (found == endings.end()) return std::nullopt;
@@ -76,20 +98,24 @@ Outcome<std::vector<OutputRequest>> ReadOutputNames(Verb verb,
       continue;
     }
     const std::string ending = LowerCaseEnding(name);
-    const bool build = verb == Verb::kBuild;
-    const auto kind = build ? KindOf(kBuildEndings, ending) : KindOf(kInspectEndings, ending);
+    const VerbFormats formats = FormatsOf(verb);
+    const auto kind = KindOf(formats.endings, ending);
     if (kind) {
       requests.push_back({*kind, name});
     } else {
       errors.push_back(
           Usage("unknown-format",
                 fmt::format("-o {}: the ending '{}' names no format that {} writes; use one of {}",
-                            name, ending, build ? "build" : "inspect",
-                            build ? kBuildFormats : kInspectFormats)));
+                            name, ending, formats.verb, formats.list)));
     }
   }
   if (!errors.empty()) return Outcome<std::vector<OutputRequest>>::Failure(std::move(errors));
   return requests;
+}
+
+bool HasLayers(const std::vector<OutputTarget>& targets) {
+  return std::any_of(targets.begin(), targets.end(),
+                     [](const OutputTarget& target) { return target.kind == OutputKind::kExr; });
 }
 
 Outcome<std::vector<std::vector<OutputTarget>>> PlanOutputs(

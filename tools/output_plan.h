@@ -12,12 +12,26 @@
 
 namespace lascaux {
 
-enum class OutputKind : std::uint8_t { kVdb, kStl, kPly, kPng, kReport, kParsePicture, kParseDump };
+enum class OutputKind : std::uint8_t {
+  kVdb,
+  kStl,
+  kPly,
+  kPng,
+  kExr,
+  kReport,
+  kParsePicture,
+  kParseDump
+};
 
 /// True for the files that hold the model or show it; they don't appear when the build failed.
 constexpr bool IsModel(OutputKind kind) noexcept {
   return kind == OutputKind::kVdb || kind == OutputKind::kStl || kind == OutputKind::kPly ||
-         kind == OutputKind::kPng;
+         kind == OutputKind::kPng || kind == OutputKind::kExr;
+}
+
+/// True for pictures of the model.
+constexpr bool IsPicture(OutputKind kind) noexcept {
+  return kind == OutputKind::kPng || kind == OutputKind::kExr;
 }
 
 /// A name as given: it may hold "{}".
@@ -32,8 +46,11 @@ struct OutputTarget {
   std::filesystem::path path;
 };
 
-/// What `lascaux build` and `lascaux inspect` write: an ending stands for a format.
-enum class Verb : std::uint8_t { kBuild, kInspect };
+/// True when one of them holds more of a picture than its colours.
+bool HasLayers(const std::vector<OutputTarget>& targets);
+
+/// What the verbs of the program write: an ending stands for a format.
+enum class Verb : std::uint8_t { kBuild, kInspect, kRender };
 
 /// The formats that the names' endings ask for. Errors: "unknown-format", "stdout-output".
 Outcome<std::vector<OutputRequest>> ReadOutputNames(Verb verb,

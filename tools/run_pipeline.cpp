@@ -132,11 +132,21 @@ class Run {
   bool RenderPreview() {
     const Stopwatch watch(model_.timings, "render");
     execution_.Report("rendering the preview", 0);
-    RenderOptions options;
+    RenderOptions options = options_.preview.render;
     const HeadEnd head = FindHead(model_);
     if (head == HeadEnd::kRight) options.head = Head::kRight;
     if (head == HeadEnd::kLeft) options.head = Head::kLeft;
-    return Keep(Render(*model_.grid->surface, options, execution_), model_.preview);
+    std::vector<Picture> pictures;
+    for (const View view : options_.preview.views) {
+      options.view = view;
+      if (!Keep(Render(*model_.grid->surface, options, execution_), pictures.emplace_back())) {
+        return false;
+      }
+    }
+    const int columns = SheetColumns(static_cast<int>(pictures.size()));
+    model_.preview =
+        pictures.size() == 1 ? std::move(pictures[0]) : ArrangePictures(pictures, columns);
+    return true;
   }
 
   std::string_view bytes_;

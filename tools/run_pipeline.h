@@ -3,10 +3,12 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "lascaux/base/execution.h"
 #include "lascaux/skeleton/fit.h"
 #include "lascaux/sketch/read_svg.h"
+#include "lascaux/volume/render_options.h"
 #include "model.h"
 
 namespace lascaux {
@@ -24,6 +26,12 @@ enum class OutlineFit {
   kExact,  ///< fitted, and what the fit leaves normalised away
 };
 
+/// The picture that a build makes of its model: several views share a sheet.
+struct PreviewOptions {
+  std::vector<View> views = {View::kThreeQuarter};
+  RenderOptions render;  ///< of each view; the head is where the eyes are
+};
+
 /// The options of every stage, and what no single stage owns.
 struct PipelineOptions {
   ReadSvgOptions read;
@@ -38,6 +46,7 @@ struct PipelineOptions {
   double size = 100;                 ///< longest side of the model, mm
   int resolution = 256;              ///< voxels along the longest side
   std::optional<double> voxel_size;  ///< mm; decides instead of the resolution
+  PreviewOptions preview;
   LastStage last = LastStage::kMesh;
 
   /// Edge of a voxel, mm.

@@ -7,11 +7,11 @@
 #include "grid.h"
 #include "lascaux/io/output_file.h"
 #include "lascaux/io/write_ply.h"
-#include "lascaux/io/write_png.h"
 #include "lascaux/io/write_stl.h"
 #include "lascaux/io/write_vdb.h"
 #include "parse_dump.h"
 #include "parse_picture.h"
+#include "picture_file.h"
 #include "stopwatch.h"
 
 namespace lascaux {
@@ -28,7 +28,8 @@ Diagnostics Write(const Model& model, OutputKind kind, const std::filesystem::pa
     case OutputKind::kPly:
       return WritePly(path, *model.mesh, {.unit = options.unit});
     case OutputKind::kPng:
-      return WritePng(path, *model.preview);
+    case OutputKind::kExr:
+      return WritePicture(path, *model.preview, kind);
     case OutputKind::kParsePicture:
       return WriteBytes(path, ParsePictureText(model));
     case OutputKind::kParseDump:

@@ -11,6 +11,13 @@ namespace {
 
 constexpr const char* kPluginFile = "lascaux_image.so";
 
+/// False when the library is without this function.
+template <typename Function>
+bool Find(void* library, const char* name, Function& function) {
+  function = reinterpret_cast<Function>(dlsym(library, name));
+  return function != nullptr;
+}
+
 }  // namespace
 
 std::vector<std::filesystem::path> PluginFolders() {
@@ -25,7 +32,7 @@ std::vector<std::filesystem::path> PluginFolders() {
   return folders;
 }
 
-Outcome<LascauxEncodePng> LoadPngEncoder(const std::vector<std::filesystem::path>& folders) {
+Outcome<ImagePlugin> LoadImagePlugin(const std::vector<std::filesystem::path>& folders) {
   std::string reasons;
   for (const auto& folder : folders) {
     const auto path = folder / kPluginFile;
@@ -35,15 +42,23 @@ Outcome<LascauxEncodePng> LoadPngEncoder(const std::vector<std::filesystem::path
       continue;
     }
     void* const library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-    void* const symbol = library == nullptr ? nullptr : dlsym(library, LASCAUX_ENCODE_PNG);
-    if (symbol != nullptr) return reinterpret_cast<LascauxEncodePng>(symbol);
+    ImagePlugin plugin;
+    if (library != nullptr && Find(library, LASCAUX_ENCODE_PNG, plugin.encode_png) &&
+        Find(library, LASCAUX_ENCODE_EXR, plugin.encode_exr)) {
+      return plugin;
+    }
     reasons += fmt::format(", {}", dlerror());
   }
-  return Outcome<LascauxEncodePng>::Failure(Error(
+  return Outcome<ImagePlugin>::Failure(Error(
       FailureKind::kOutput, "image-plugin-missing",
       fmt::format("pictures need the plugin {}: {}; install it again with the program, or ask for "
-                  "no .png",
+                  "no .png or .exr",
                   kPluginFile, reasons.empty() ? "no folder to look in" : reasons.substr(2))));
+}
+
+const Outcome<ImagePlugin>& OurImagePlugin() {
+  static const Outcome<ImagePlugin> plugin = LoadImagePlugin(PluginFolders());
+  return plugin;
 }
 
 }  // namespace lascaux

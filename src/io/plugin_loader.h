@@ -12,8 +12,17 @@ namespace lascaux {
 /// installed tree), then the folder that the library was configured to be installed to.
 std::vector<std::filesystem::path> PluginFolders();
 
-/// The plugin's PNG encoder from the first folder that has it. It is never unloaded. Error:
+/// What the plugin can do.
+struct ImagePlugin {
+  LascauxEncodePng encode_png = nullptr;
+  LascauxEncodeExr encode_exr = nullptr;
+};
+
+/// The plugin from the first folder that has it, whole. It is never unloaded. Error:
 /// "image-plugin-missing".
-Outcome<LascauxEncodePng> LoadPngEncoder(const std::vector<std::filesystem::path>& folders);
+Outcome<ImagePlugin> LoadImagePlugin(const std::vector<std::filesystem::path>& folders);
+
+/// The one that belongs to this program, loaded when it is first asked for.
+const Outcome<ImagePlugin>& OurImagePlugin();
 
 }  // namespace lascaux

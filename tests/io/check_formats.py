@@ -5,12 +5,14 @@ Usage: check_formats.py WRITE_SAMPLES, the program that writes the samples.
 """
 
 import math
+import os
 import re
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
+os.environ["OPENCV_IO_ENABLE_OPENEXR"] = "1"  # before cv2 is loaded
 import cv2
 import numpy
 import pyopenvdb
@@ -80,6 +82,24 @@ def check_png(path):
     assert (picture == expected).all()
 
 
+def check_exr(path):
+    text = run("iinfo", "-v", str(path))
+    assert "40 x   30, 9 channel" in text, text
+    assert ("R (half), G (half), B (half), A (half), Z (float), part (float), "
+            "N.X (half), N.Y (half), N.Z (half)") in text, text
+    data = run("oiiotool", "--dumpdata", str(path))
+    pixels = re.findall(r"Pixel \((\d+), (\d+)\):([^\n]*)", data)
+    assert len(pixels) == 40 * 30, data[:400]
+    for x, y, values in ((int(x), int(y), [float(v) for v in t.split()]) for x, y, t in pixels):
+        z = 1e10 if x == y else 100 + x / 3
+        expected = [x / 64, y / 64, (x + y) / 128, 0.5, z, x - 1, x / 64, -y / 64, 0.25]
+        assert numpy.allclose(values, expected, rtol=1e-6, atol=1e-6), (x, y, values)
+    colors = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
+    x, y = numpy.meshgrid(numpy.arange(40), numpy.arange(30))
+    expected = numpy.stack([(x + y) / 128, y / 64, x / 64], axis=2)  # blue comes first
+    assert numpy.abs(colors[:, :, :3] - expected).max() < 1e-6
+
+
 def main():
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -89,6 +109,7 @@ def main():
         check_vdb(folder / "sphere.vdb", 0.001, "m")
         check_vdb(folder / "sphere_mm.vdb", 1, "mm")
         check_png(folder / "picture.png")
+        check_exr(folder / "layers.exr")
 
 
 main()

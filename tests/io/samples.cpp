@@ -63,4 +63,18 @@ Image SamplePicture(int width, int height) {
   return image;
 }
 
+Picture SampleLayers(int width, int height) {
+  Picture picture{width, height, {}, {}, {}, {}};
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const auto u = static_cast<float>(x), v = static_cast<float>(y);
+      picture.rgba.insert(picture.rgba.end(), {u / 64, v / 64, (u + v) / 128, 0.5F});
+      picture.depth.push_back(x == y ? kNoDepth : 100 + u / 3);
+      picture.normal.insert(picture.normal.end(), {u / 64, -v / 64, 0.25F});
+      picture.part.push_back(u - 1);
+    }
+  }
+  return picture;
+}
+
 }  // namespace lascaux

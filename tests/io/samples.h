@@ -4,6 +4,7 @@
 
 #include "lascaux/volume/image.h"
 #include "lascaux/volume/mesh.h"
+#include "lascaux/volume/picture.h"
 
 namespace lascaux {
 
@@ -18,5 +19,8 @@ openvdb::FloatGrid::Ptr SampleLevelSet(double voxel_size);
 
 /// Every channel different at every pixel, with all alphas.
 Image SamplePicture(int width, int height);
+
+/// Light and all layers, each a function of the place: check_formats.py knows it.
+Picture SampleLayers(int width, int height);
 
 }  // namespace lascaux

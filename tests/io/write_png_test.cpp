@@ -2,13 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <fstream>
 #include <string>
+#include <thread>
 
 #include "io/plugin_loader.h"
 #include "io/samples.h"
 #include "io/temporary_folder.h"
 #include "lascaux/io/output_file.h"
+#include "lascaux/io/write_exr.h"
 
 namespace lascaux {
 namespace {
@@ -39,21 +42,31 @@ TEST(WritePng, TheSamePictureGivesTheSameBytes) {
   EXPECT_EQ(bytes, Contents(folder / "b.png"));
 }
 
-TEST(WritePng, AFullDiskIsAnError) {
-  const Diagnostics diagnostics = WritePng("/dev/full", SamplePicture(40, 30));
-  ASSERT_EQ(diagnostics.size(), 1U);
-  EXPECT_EQ(diagnostics[0].code, "cannot-write");
+TEST(WriteExr, TheSamePictureGivesTheSameBytes) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(WriteExr(folder / "a.exr", SampleLayers(40, 30)).empty());
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // a clock in it would have moved
+  ASSERT_TRUE(WriteExr(folder / "b.exr", SampleLayers(40, 30)).empty());
+  EXPECT_EQ(Contents(folder / "a.exr"), Contents(folder / "b.exr"));
 }
 
-TEST(LoadPngEncoder, AMissingOrBrokenPluginIsAnErrorThatNamesThePlaces) {
+TEST(WritePng, AFullDiskIsAnError) {
+  for (const Diagnostics& diagnostics : {WritePng("/dev/full", SamplePicture(40, 30)),
+                                         WriteExr("/dev/full", SampleLayers(40, 30))}) {
+    ASSERT_EQ(diagnostics.size(), 1U);
+    EXPECT_EQ(diagnostics[0].code, "cannot-write");
+  }
+}
+
+TEST(LoadImagePlugin, AMissingOrBrokenPluginIsAnErrorThatNamesThePlaces) {
   const TemporaryFolder empty, broken;
   ASSERT_TRUE(WriteBytes(broken / "lascaux_image.so", "no library").empty());
   for (const TemporaryFolder* folder : {&empty, &broken}) {
-    const auto encoder = LoadPngEncoder({folder->path()});
-    ASSERT_FALSE(encoder.ok());
-    EXPECT_EQ(encoder.diagnostics()[0].code, "image-plugin-missing");
-    EXPECT_EQ(encoder.diagnostics()[0].failure, FailureKind::kOutput);
-    EXPECT_NE(encoder.diagnostics()[0].message.find(folder->path().string()), std::string::npos);
+    const auto plugin = LoadImagePlugin({folder->path()});
+    ASSERT_FALSE(plugin.ok());
+    EXPECT_EQ(plugin.diagnostics()[0].code, "image-plugin-missing");
+    EXPECT_EQ(plugin.diagnostics()[0].failure, FailureKind::kOutput);
+    EXPECT_NE(plugin.diagnostics()[0].message.find(folder->path().string()), std::string::npos);
   }
 }
 

@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "io/samples.h"
+#include "lascaux/io/write_exr.h"
 #include "lascaux/io/write_ply.h"
 #include "lascaux/io/write_png.h"
 #include "lascaux/io/write_stl.h"
@@ -23,6 +24,7 @@ int main(int argc, char** argv) {
   log(WriteVdb(folder / "sphere.vdb", *grid, {.metadata = {{"creator", "lascaux test"}}}));
   log(WriteVdb(folder / "sphere_mm.vdb", *grid, {.unit = Unit::kMillimetre}));
   log(WritePng(folder / "picture.png", SamplePicture(40, 30)));
+  log(WriteExr(folder / "layers.exr", SampleLayers(40, 30)));
   for (const Diagnostic& diagnostic : diagnostics) std::puts(diagnostic.message.c_str());
   return diagnostics.empty() ? 0 : 1;
 }

@@ -39,7 +39,7 @@ int main(int argc, char** argv) {
     std::printf("%s: %.1f ms, %.1f ms of processors\n", name, wall.count(), cpu);
     if (!image) return 1;
     const auto path = std::filesystem::path(argv[1]) / (std::string(name) + ".png");
-    if (!WritePng(path, *image).empty()) return 1;
+    if (!WritePng(path, ToImage(*image)).empty()) return 1;
   }
   return 0;
 }

@@ -55,9 +55,9 @@ Box ModelBox(const Image& image) {
 }
 
 Image Picture(const openvdb::FloatGrid& grid, const RenderOptions& options = {}) {
-  auto image = Render(grid, options);
-  EXPECT_TRUE(image.ok());
-  return *std::move(image);
+  const auto picture = Render(grid, options);
+  EXPECT_TRUE(picture.ok());
+  return ToImage(*picture);
 }
 
 TEST(Render, ASphereIsADiscInTheMiddle) {

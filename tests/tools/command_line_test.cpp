@@ -23,6 +23,30 @@ Answer Answered(const Arguments& arguments) {
   return answer == nullptr ? Answer{ExitCode::kBug, "understood"} : *answer;
 }
 
+TEST(CommandLine, OptionsOfPicturesSetTheFieldsOfTheRenderer) {
+  const CommandLine line =
+      Understood({"render", "a.vdb", "b.vdb", "-o", "{}.png", "--view", "side,top", "--width",
+                  "300", "--height", "200", "--background", "#f00", "--turntable", "8", "--columns",
+                  "4", "--grid", "part"});
+  EXPECT_EQ(line.verb, Verb::kRender);
+  EXPECT_EQ(line.render.models, (Arguments{"a.vdb", "b.vdb"}));
+  EXPECT_EQ(line.render.views, (std::vector{View::kSide, View::kTop}));
+  EXPECT_EQ(line.render.render.width, 300);
+  EXPECT_EQ(line.render.render.height, 200);
+  EXPECT_EQ(line.render.render.backdrop, Backdrop::kColor);
+  EXPECT_EQ(line.render.render.backdrop_color, (std::array<float, 3>{1, 0, 0}));
+  EXPECT_EQ(line.render.turntable, 8);
+  EXPECT_EQ(line.render.columns, 4);
+  EXPECT_EQ(line.render.grid, "part");
+  const CommandLine build = Understood({"build", "a.svg", "-o", "a.png", "--view", "front,top",
+                                        "--picture-size", "256", "--background", "transparent"});
+  const PreviewOptions& preview = build.options.pipeline.preview;
+  EXPECT_EQ(preview.views, (std::vector{View::kFront, View::kTop}));
+  EXPECT_EQ(preview.render.width, 256);
+  EXPECT_EQ(preview.render.height, 256);
+  EXPECT_EQ(preview.render.backdrop, Backdrop::kTransparent);
+}
+
 TEST(CommandLine, OptionsSetTheFieldsOfTheStages) {
   const CommandLine line =
       Understood({"build",  "a.svg",    "b.svg",  "-o",           "{}.vdb",  "-o",

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "lascaux/base/outcome.h"
 #include "lascaux/volume/image.h"
@@ -18,5 +19,8 @@ namespace lascaux {
 /// Errors: "cannot-write" with the encoder's own reason; "image-plugin-missing" with the folders
 /// that were searched; an image without pixels is a broken precondition.
 Diagnostics WritePng(const std::filesystem::path& path, const Image& image);
+
+/// The same bytes, to be put into another file: `path` is the one that errors name.
+Outcome<std::string> EncodePng(const std::filesystem::path& path, const Image& image);
 
 }  // namespace lascaux

@@ -19,11 +19,23 @@ typedef struct {
   const uint8_t* rgba;
 } LascauxImage;
 
+/* Linear floats: `channels` values a pixel, named as in an OpenEXR file; rows from the top. */
+typedef struct {
+  int32_t width, height, channels;
+  const char* const* names;
+  const float* pixels;
+} LascauxLayers;
+
 /* Encodes as PNG. Returns 0, or 1 with the reason given to the sink in place of the picture. */
 typedef int32_t (*LascauxEncodePng)(const LascauxImage* image, LascauxImageSink sink,
                                     void* context);
 
+/* Encodes as OpenEXR, in the same way. */
+typedef int32_t (*LascauxEncodeExr)(const LascauxLayers* layers, LascauxImageSink sink,
+                                    void* context);
+
 #define LASCAUX_ENCODE_PNG "lascaux_encode_png_1"
+#define LASCAUX_ENCODE_EXR "lascaux_encode_exr_1"
 
 #ifdef __cplusplus
 }

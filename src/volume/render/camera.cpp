@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace lascaux {
 namespace {
@@ -63,6 +64,29 @@ Angles AnglesOf(const RenderOptions& options, const std::vector<Eigen::Vector3f>
   return {HeadEnd(options, solid) * 38 * kDegree, 14 * kDegree};
 }
 
+/// Circles around all places that the points come to when they are turned about the vertical
+/// through the middle of their box.
+std::vector<Eigen::Vector3f> Swept(const std::vector<Eigen::Vector3f>& solid) {
+  constexpr int kOnCircle = 32;
+  Eigen::Vector3f low = solid[0], high = solid[0];
+  for (const Eigen::Vector3f& p : solid) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  const Eigen::Vector3f middle = 0.5F * (low + high);
+  std::map<float, float> radius_at;  // of a height
+  for (const Eigen::Vector3f& p : solid) {
+    float& radius = radius_at[p.y()];
+    radius = std::max(radius, std::hypot(p.x() - middle.x(), p.z() - middle.z()));
+  }
+  std::vector<Eigen::Vector3f> swept;
+  for (const auto& [height, radius] : radius_at) {
+    for (int i = 0; i < kOnCircle; ++i) {
+      const float angle = 360 * kDegree * static_cast<float>(i) / kOnCircle;
+      swept.emplace_back(middle.x() + radius * std::cos(angle), height,
+                         middle.z() + radius * std::sin(angle));
+    }
+  }
+  return swept;
+}
+
 /// Smallest and largest tangents of the angles under which the points are seen.
 struct Extent {
   Eigen::Array2f low = Eigen::Array2f::Constant(1e9F), high = Eigen::Array2f::Constant(-1e9F);
@@ -74,17 +98,18 @@ Camera::Camera(const RenderOptions& options, const std::vector<Eigen::Vector3f>&
     : half_width_(0.5F * static_cast<float>(options.width)),
       half_height_(0.5F * static_cast<float>(options.height)) {
   const Angles angles = AnglesOf(options, solid);
-  const float c = std::cos(angles.azimuth), s = std::sin(angles.azimuth);
+  const float azimuth = angles.azimuth + static_cast<float>(options.turn) * kDegree;
+  const float c = std::cos(azimuth), s = std::sin(azimuth);
   const Eigen::Vector3f y(0, 1, 0);
   side_ = {c, 0, -s};
   front_ = {s, 0, c};
   right_ = side_;
   forward_ = -std::cos(angles.elevation) * front_ - std::sin(angles.elevation) * y;
   up_ = right_.cross(forward_);
-  Aim(options, solid);
+  Aim(options.view, options.framing == Framing::kTurntable ? Swept(solid) : solid);
 }
 
-void Camera::Aim(const RenderOptions& options, const std::vector<Eigen::Vector3f>& solid) {
+void Camera::Aim(View view, const std::vector<Eigen::Vector3f>& solid) {
   const float shorter = 2 * std::min(half_width_, half_height_);
   pixel_ = 2 * std::tan(0.5F * kFieldOfView) / shorter;
   const Eigen::Array2f half(pixel_ * half_width_, pixel_ * half_height_);
@@ -104,7 +129,7 @@ void Camera::Aim(const RenderOptions& options, const std::vector<Eigen::Vector3f
       seen.high = seen.high.max(tangent / d.dot(forward_));
     }
     const Eigen::Array2f middle = 0.5F * (seen.low + seen.high);
-    const float raise = options.view == View::kTop ? 0 : 2 * kRaise * half.y();
+    const float raise = view == View::kTop ? 0 : 2 * kRaise * half.y();
     center += distance * (middle.x() * right_ + (middle.y() - raise) * up_);
     distance *= (0.5F * (seen.high - seen.low) / (kFill * half)).maxCoeff();
     distance = std::max(distance, 1.05F * radius + 1);

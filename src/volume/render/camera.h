@@ -30,10 +30,13 @@ class Camera {
   const Eigen::Vector3f& up() const noexcept { return up_; }
   const Eigen::Vector3f& forward() const noexcept { return forward_; }
 
+  /// Distance of a place along the camera's axis.
+  float Depth(const Eigen::Vector3f& p) const noexcept { return forward_.dot(p - eye_); }
+
   float pixel() const noexcept { return pixel_; }  ///< width of a pixel at distance 1
 
  private:
-  void Aim(const RenderOptions& options, const std::vector<Eigen::Vector3f>& solid);
+  void Aim(View view, const std::vector<Eigen::Vector3f>& solid);
 
   Eigen::Vector3f side_, front_, right_, up_, forward_, eye_;
   float half_width_, half_height_;

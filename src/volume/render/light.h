@@ -17,6 +17,7 @@
 namespace lascaux {
 
 using Color = Eigen::Array3f;  // linear light, sRGB primaries
+using Light = Eigen::Array4f;  // a color and the share that it covers, associated
 
 /// What a place on the surface sees of the lights: shares of the key light and of the light from
 /// behind, and all that comes from the sky and the floor.

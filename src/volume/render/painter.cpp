@@ -9,8 +9,6 @@
 #include <limits>
 #include <utility>
 
-#include "volume/render/tone.h"
-
 namespace lascaux {
 namespace {
 
@@ -48,15 +46,18 @@ float Middle(int pixel) { return static_cast<float>(pixel) + 0.5F; }
 }  // namespace
 
 Painter::Painter(const Scene& scene, const RenderOptions& options)
-    : scene_(scene), width_(options.width), height_(options.height) {
+    : scene_(scene), width_(options.width), height_(options.height), layers_(options.layers) {
   free_.resize(QuadIndex(width_ - 1, height_ - 1) + 1);
   const std::size_t count = Index(width_ - 1, height_ - 1) + 1;
   samples_.resize(count);
   lighting_.resize(count);
-  image_ = {width_, height_, std::vector<std::uint8_t>(4 * count, 255)};
+  picture_ = {width_, height_, std::vector<float>(4 * count), {}, {}, {}};
+  if (layers_ != Layers::kAll) return;
+  picture_.depth.assign(count, kNoDepth);
+  picture_.normal.resize(3 * count);
 }
 
-Image Painter::TakeImage() { return std::move(image_); }
+Picture Painter::TakePicture() { return std::move(picture_); }
 
 std::size_t Painter::Index(int x, int y) const noexcept {
   return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
@@ -97,6 +98,7 @@ void Painter::PaintMiddles() {
       Put(x, y,
           samples_[i] ? scene_.ModelLight(*samples_[i], lighting_[i], Middle(x), Middle(y))
                       : scene_.BackdropLight(Middle(x), Middle(y)));
+      PutLayers(x, y);
     });
   });
 }
@@ -175,15 +177,15 @@ bool Painter::IsEdge(int x, int y) const {
 }
 
 /// Mean over the pixel; each sheet in it is lit once, since light varies little within a pixel.
-Color Painter::EdgeLight(int x, int y) const {
+Light Painter::EdgeLight(int x, int y) const {
   struct Sheet {
     std::optional<Sample> sample;
-    Color light;
+    Light light;
   };
   std::array<Sheet, kEdgePlaces.size()> sheets;
   std::size_t count = 0;
   const float free = free_[QuadIndex(x, y)];
-  Color sum(0, 0, 0);
+  Light sum = Light::Zero();
   for (const auto& [dx, dy] : kEdgePlaces) {
     const float px = static_cast<float>(x) + dx, py = static_cast<float>(y) + dy;
     std::optional<Sample> sample;
@@ -201,10 +203,19 @@ Color Painter::EdgeLight(int x, int y) const {
   return sum / static_cast<float>(kEdgePlaces.size());
 }
 
-void Painter::Put(int x, int y, const Color& light) {
-  const auto bytes = Encode(light);
-  std::copy(bytes.begin(), bytes.end(),
-            image_.rgba.begin() + static_cast<std::ptrdiff_t>(4 * Index(x, y)));
+void Painter::Put(int x, int y, const Light& light) {
+  std::copy(light.begin(), light.end(),
+            picture_.rgba.begin() + static_cast<std::ptrdiff_t>(4 * Index(x, y)));
+}
+
+/// What is seen in the pixel's middle: a mean of depths would be a place where nothing is.
+void Painter::PutLayers(int x, int y) {
+  const std::size_t i = Index(x, y);
+  if (layers_ != Layers::kAll || !samples_[i]) return;
+  picture_.depth[i] = scene_.Depth(*samples_[i]);
+  const Eigen::Vector3f& normal = samples_[i]->normal;
+  std::copy(normal.begin(), normal.end(),
+            picture_.normal.begin() + static_cast<std::ptrdiff_t>(3 * i));
 }
 
 }  // namespace lascaux

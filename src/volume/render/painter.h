@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "lascaux/volume/image.h"
+#include "lascaux/volume/picture.h"
 #include "volume/render/scene.h"
 
 namespace lascaux {
@@ -20,7 +20,7 @@ class Painter {
 
   void PaintMiddles();
   void PaintEdges();  ///< after PaintMiddles()
-  Image TakeImage();
+  Picture TakePicture();
 
  private:
   /// A square of pixels; `right` and `bottom` are past its end.
@@ -39,18 +39,20 @@ class Painter {
   void GatherAt(int x, int y);
   Lighting MeanLighting(int x, int y, int dx, int dy);
   bool IsEdge(int x, int y) const;
-  Color EdgeLight(int x, int y) const;
-  void Put(int x, int y, const Color& light);
+  Light EdgeLight(int x, int y) const;
+  void Put(int x, int y, const Light& light);
+  void PutLayers(int x, int y);
 
   std::size_t Index(int x, int y) const noexcept;
   std::size_t QuadIndex(int x, int y) const noexcept;
 
   const Scene& scene_;
   int width_, height_;
+  Layers layers_;
   std::vector<float> free_;  ///< how far the rays of each quad of pixels are free
   std::vector<std::optional<Sample>> samples_;
   std::vector<Lighting> lighting_;
-  Image image_;
+  Picture picture_;
 };
 
 }  // namespace lascaux

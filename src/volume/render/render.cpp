@@ -12,39 +12,41 @@ namespace lascaux {
 namespace {
 
 /// Nothing when the run was cancelled.
-std::optional<Image> Paint(const openvdb::FloatGrid& grid, const RenderOptions& options,
-                           const Execution& execution) {
+std::optional<Picture> Paint(const openvdb::FloatGrid& grid, const RenderOptions& options,
+                             const Execution& execution) {
   const Scene scene(grid, options);
   Painter painter(scene, options);
   if (execution.IsCancelled()) return std::nullopt;
   painter.PaintMiddles();
   if (execution.IsCancelled()) return std::nullopt;
   painter.PaintEdges();
-  return painter.TakeImage();
+  return painter.TakePicture();
 }
 
 }  // namespace
 
-Outcome<Image> Render(const openvdb::FloatGrid& grid, const RenderOptions& options,
-                      const Execution& execution) {
+Outcome<Picture> Render(const openvdb::FloatGrid& grid, const RenderOptions& options,
+                        const Execution& execution) {
   assert(options.width > 0 && options.height > 0);
-  using Result = Outcome<Image>;
+  using Result = Outcome<Picture>;
   if (grid.activeVoxelCount() == 0) {
-    return Result::Failure(Error(FailureKind::kInput, "empty-grid",
-                                 "the level set has no active voxel: there is nothing to show"));
+    return Result::Failure(
+        Error(FailureKind::kInput, "empty-grid",
+              "the level set has no active voxel: there is nothing to show; build "
+              "it with a higher --resolution"));
   }
-  std::optional<Image> image;
+  std::optional<Picture> picture;
   try {
-    RunInArena(execution, [&] { image = Paint(grid, options, execution); });
+    RunInArena(execution, [&] { picture = Paint(grid, options, execution); });
   } catch (const std::bad_alloc&) {
     return Result::Failure(Error(FailureKind::kUsage, "out-of-memory",
                                  "the picture does not fit into memory; ask for a smaller one"));
   }
-  if (!image) {
+  if (!picture) {
     return Result::Failure(
         Error(FailureKind::kInterrupted, "cancelled", "interrupted while rendering"));
   }
-  return *std::move(image);
+  return *std::move(picture);
 }
 
 }  // namespace lascaux

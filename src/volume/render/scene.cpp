@@ -15,8 +15,11 @@ Scene::Scene(const openvdb::FloatGrid& grid, const RenderOptions& options)
       camera_(options, coarse_.SolidNodes()),
       studio_(coarse_, camera_),
       shadow_(studio_, coarse_),
-      middle_(0.5F * static_cast<float>(options.width), 0.5F * static_cast<float>(options.height)) {
-}
+      middle_(0.5F * static_cast<float>(options.width), 0.5F * static_cast<float>(options.height)),
+      backdrop_(options.backdrop),
+      backdrop_color_(options.backdrop_color[0], options.backdrop_color[1],
+                      options.backdrop_color[2]),
+      voxel_size_(static_cast<float>(grid.voxelSize().x())) {}
 
 float Scene::FreeLength(float x, float y, float reach, float from) const noexcept {
   // The diagonal, and a little for rays that are not of length 1 before they are normalised.
@@ -31,13 +34,27 @@ std::optional<Sample> Scene::Trace(float x, float y, float from) const noexcept 
   return Sample{ray.At(*t), surface_.Normal(ray.At(*t))};
 }
 
-Color Scene::ModelLight(const Sample& sample, const Lighting& lighting, float x, float y) const {
-  return ToneMapped(studio_.Shade(lighting, sample.normal, -camera_.Through(x, y).direction));
+Light Scene::ModelLight(const Sample& sample, const Lighting& lighting, float x, float y) const {
+  const Color light = studio_.Shade(lighting, sample.normal, -camera_.Through(x, y).direction);
+  return Opaque(ToneMapped(light));
 }
 
-Color Scene::BackdropLight(float x, float y) const {
+Light Scene::BackdropLight(float x, float y) const {
+  const float shadow = shadow_.At(camera_.Through(x, y));
+  switch (backdrop_) {
+    case Backdrop::kTransparent:
+      return ShadowAlone(shadow);
+    case Backdrop::kColor:
+      return Opaque(Shadowed(backdrop_color_, shadow));
+    case Backdrop::kStudio:
+      break;
+  }
   const Eigen::Vector2f p = (Eigen::Vector2f(x, y) - middle_) / middle_.maxCoeff();
-  return Shadowed(Backdrop(p.x(), p.y()), shadow_.At(camera_.Through(x, y)));
+  return Opaque(Shadowed(Paper(p.x(), p.y()), shadow));
+}
+
+float Scene::Depth(const Sample& sample) const noexcept {
+  return voxel_size_ * camera_.Depth(sample.place);
 }
 
 }  // namespace lascaux

@@ -38,8 +38,11 @@ class Scene {
   }
 
   /// Light of the picture where the model is seen, and where it is not.
-  Color ModelLight(const Sample& sample, const Lighting& lighting, float x, float y) const;
-  Color BackdropLight(float x, float y) const;
+  Light ModelLight(const Sample& sample, const Lighting& lighting, float x, float y) const;
+  Light BackdropLight(float x, float y) const;
+
+  /// Distance from the camera along its axis, in the grid's world units.
+  float Depth(const Sample& sample) const noexcept;
 
  private:
   CoarseField coarse_;
@@ -48,6 +51,9 @@ class Scene {
   Studio studio_;
   GroundShadow shadow_;
   Eigen::Vector2f middle_;  ///< of the picture
+  Backdrop backdrop_;
+  Color backdrop_color_;
+  float voxel_size_;
 };
 
 }  // namespace lascaux
