@@ -123,6 +123,37 @@ TEST(PlanarMap, SmallGapIsClosedWithAWarningAtItsPlace) {
   }
 }
 
+TEST(PlanarMap, SeveralWideGapsOfOneOutlineAreClosedTogether) {
+  // Sides of a square, each 7 % of the diagonal from the next: no closure encloses anything alone.
+  const auto map =
+      BuildPlanarMap(SketchOf({Straight({{5, 0}, {95, 0}}), Straight({{105, 5}, {105, 95}}),
+                               Straight({{95, 100}, {5, 100}}), Straight({{-5, 95}, {-5, 5}})}));
+  ASSERT_TRUE(map);
+  EXPECT_EQ(std::count_if(map.diagnostics().begin(), map.diagnostics().end(),
+                          [](const Diagnostic& d) { return d.code == "gap-closed"; }),
+            4);
+  EXPECT_EQ(Count(*map, CycleKind::kBorder), 1);
+  EXPECT_GT(LargestArea(*map), 10'500);
+}
+
+TEST(PlanarMap, WhereTheOutlineIsClosedNoWideGapIs) {
+  // A tail of one line that hangs down beside the rump: its end is 4 % of the size from it.
+  const auto map = BuildPlanarMap(
+      SketchOf({Loop(kSquare), Straight({{100, 10}, {112, 15}, {108, 30}, {106, 80}})}));
+  ASSERT_TRUE(map);
+  EXPECT_FALSE(Has(map.diagnostics(), "gap-closed"));
+  EXPECT_EQ(Count(*map, CycleKind::kBorder), 1);
+}
+
+TEST(PlanarMap, LineMayCloseOntoItself) {
+  // A long tail, the animal, and back up to the tail: the end points at its own line.
+  const auto map = BuildPlanarMap(
+      SketchOf({Straight({{-60, 60}, {0, 50}, {0, 0}, {100, 0}, {100, 100}, {0, 100}, {-4, 62}})}));
+  ASSERT_TRUE(map);
+  EXPECT_TRUE(Has(map.diagnostics(), "gap-closed"));
+  EXPECT_GT(LargestArea(*map), 9'900);
+}
+
 TEST(PlanarMap, WideGapIsAnErrorThatSaysWhere) {
   const auto map = BuildPlanarMap(
       SketchOf({Straight({{60, 0}, {100, 0}, {100, 100}, {0, 100}, {0, 0}, {40, 0}})}));

@@ -88,7 +88,8 @@ struct BuildPlanarMapOptions {
   double snap = 5e-3;  ///< ends this near to another stroke meet it; one pen width if that is more,
                        ///< up to snap_max
   double snap_max = 1.5e-2;
-  double bridge = 3e-2;  ///< longest gap that is closed, with a warning
+  double bridge = 3e-2;      ///< longest gap that is closed, with a warning
+  double bridge_max = 0.12;  ///< the same where the lines don't enclose an animal otherwise
 
   bool operator==(const BuildPlanarMapOptions&) const = default;
 };

@@ -1,13 +1,13 @@
 #include "sketch/map/gaps.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <optional>
-#include <set>
-#include <string>
 
+#include "sketch/map/closures.h"
+#include "sketch/map/enclosure.h"
 #include "sketch/map/outer_walk.h"
 #include "sketch/map/polyline.h"
 
@@ -16,25 +16,31 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// A face worth closing has at least so many times the area of the gap's own square: whiskers and
-/// curls have not.
-constexpr double kFaceOverGap = 12;
-/// A gap below this share of the diagonal is a slip of the pen; a wider one has to look like one
-/// line with a piece missing.
+/// A gap below this share of the diagonal is a slip of the pen.
 constexpr double kSlip = 0.01;
-/// Largest turn between a wider gap and the lines that it joins.
+/// Largest turn between a gap and the lines that it joins, as long as the drawing may be closed.
 constexpr double kMaxTurn = std::numbers::pi / 3;
+/// In a drawing of an animal at least this share of the lines has an inside beside it; the others
+/// are whiskers, manes, antlers, tails of one line.
+constexpr double kLeastCoverage = 0.65;
+/// Where that is not so, wider gaps are looked for, by this factor again and again.
+constexpr double kWider = 1.5;
 /// Lines that run side by side nearer than this may be meant to touch.
 constexpr double kSlit = 6e-3;
 /// The animal fills at least this share of the drawing's bounds, or its outline is open.
 constexpr double kLeastBodyShare = 0.08;
-/// Rounds of closing: a closed gap can be the condition of the next.
-constexpr int kMaxRounds = 4;
 
-struct Closure {
+std::size_t Index(int i) { return static_cast<std::size_t>(i); }
+
+/// The map, and the lines that it was arranged from.
+struct Working {
+  PlanarMap map;
+  std::vector<ArrangementLine> lines;
+};
+
+struct Slit {
   Vector2d from, to;
-  double score = 0;  ///< small is good
-  double area = 0;   ///< of the face that it closes
+  double width = 0;
 };
 
 double BoxArea(const PlanarMap& map) {
@@ -53,71 +59,16 @@ double LargestFace(const PlanarMap& map) {
   return largest;
 }
 
-/// Direction in which the line runs out at a tip.
-Vector2d Outward(const PlanarMap& map, const WalkPoint& tip) {
-  return -map.Departure(tip.half_edge);
-}
-
-/// Cost of joining a tip to a point: its distance, more for a turn; none if it would turn too far.
-std::optional<double> Score(const PlanarMap& map, const WalkPoint& tip, const WalkPoint& other,
-                            double bridge) {
-  const Vector2d way = other.position - tip.position;
-  const double distance = way.norm(), slip = kSlip * map.diagonal;
-  if (distance > bridge) return std::nullopt;
-  double turn = AngleBetween(Outward(map, tip), way);
-  if (other.is_tip) turn = std::max(turn, AngleBetween(Outward(map, other), -way));
-  if (distance > slip && turn > kMaxTurn) return std::nullopt;
-  return distance / bridge * (1 + turn) * (other.is_tip ? 1.0 : 1.5);
-}
-
-/// The best closure for one tip of a walk.
-std::optional<Closure> BestClosure(const PlanarMap& map, const OuterWalk& walk, std::size_t tip,
-                                   double bridge) {
-  std::optional<Closure> best;
-  for (std::size_t j = 0; j < walk.points.size(); ++j) {
-    const double distance = (walk.points[j].position - walk.points[tip].position).norm();
-    if (distance == 0 || distance > bridge || walk.Along(tip, j) < 3 * distance) continue;
-    const double area = walk.FaceArea(tip, j);
-    if (area < kFaceOverGap * distance * distance) continue;
-    const auto score = Score(map, walk.points[tip], walk.points[j], bridge);
-    if (score && (!best || *score < best->score)) {
-      best = {walk.points[tip].position, walk.points[j].position, *score, area};
-    }
-  }
-  return best;
-}
-
-/// Closures that join tips of two walks: pieces of one line that was drawn in several.
-std::vector<Closure> Joints(const PlanarMap& map, const std::vector<OuterWalk>& walks,
-                            double bridge) {
-  std::vector<std::pair<const WalkPoint*, std::size_t>> tips;
-  for (std::size_t w = 0; w < walks.size(); ++w) {
-    for (const WalkPoint& p : walks[w].points) {
-      if (p.is_tip) tips.push_back({&p, w});
-    }
-  }
-  std::vector<Closure> joints;
-  for (std::size_t i = 0; i < tips.size(); ++i) {
-    for (std::size_t j = i + 1; j < tips.size(); ++j) {
-      if (tips[i].second == tips[j].second) continue;
-      if (const auto score = Score(map, *tips[i].first, *tips[j].first, bridge)) {
-        joints.push_back({tips[i].first->position, tips[j].first->position, *score, 0});
-      }
-    }
-  }
-  return joints;
-}
-
 /// The best slit: two places near each other and far along the walk, that close a face of the
 /// animal's size.
-std::optional<Closure> BestSlit(const PlanarMap& map, const OuterWalk& walk, double least_area) {
+std::optional<Slit> BestSlit(const PlanarMap& map, const OuterWalk& walk, double least_area) {
   const double reach = kSlit * map.diagonal;
   std::vector<std::size_t> by_x(walk.points.size());
   for (std::size_t i = 0; i < by_x.size(); ++i) by_x[i] = i;
   std::sort(by_x.begin(), by_x.end(), [&](std::size_t a, std::size_t b) {
     return walk.points[a].position.x() < walk.points[b].position.x();
   });
-  std::optional<Closure> best;
+  std::optional<Slit> best;
   for (std::size_t a = 0; a < by_x.size(); ++a) {
     const WalkPoint& p = walk.points[by_x[a]];
     for (std::size_t b = a + 1; b < by_x.size(); ++b) {
@@ -126,112 +77,139 @@ std::optional<Closure> BestSlit(const PlanarMap& map, const OuterWalk& walk, dou
       const double distance = (q.position - p.position).norm();
       if (distance == 0 || distance > reach || walk.Along(by_x[a], by_x[b]) < 20 * reach) continue;
       const double area = walk.FaceArea(by_x[a], by_x[b]);
-      if (area < least_area || (best && distance >= best->score)) continue;
-      best = {p.position, q.position, distance, area};
+      if (area < least_area || (best && distance >= best->width)) continue;
+      best = {p.position, q.position, distance};
     }
   }
   return best;
 }
 
-/// All closures of a round, best first, each place used once.
-std::vector<Closure> FindClosures(const PlanarMap& map, double bridge) {
-  const std::vector<OuterWalk> walks = OuterWalks(map, 0.25 * kSlit * map.diagonal);
-  std::vector<Closure> found = Joints(map, walks, bridge);
-  for (const OuterWalk& walk : walks) {
-    for (std::size_t i = 0; i < walk.points.size(); ++i) {
-      if (!walk.points[i].is_tip) continue;
-      if (const auto closure = BestClosure(map, walk, i, bridge)) found.push_back(*closure);
-    }
-  }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const Closure& a, const Closure& b) { return a.score < b.score; });
-  std::vector<Closure> chosen;
-  std::set<std::array<double, 2>> used;
-  for (const Closure& c : found) {
-    const std::array<double, 2> from{c.from.x(), c.from.y()}, to{c.to.x(), c.to.y()};
-    if (used.contains(from) || used.contains(to)) continue;
-    used.insert(from);
-    used.insert(to);
-    chosen.push_back(c);
-  }
-  return chosen;
-}
-
-std::vector<Closure> FindSlits(const PlanarMap& map) {
-  std::vector<Closure> slits;
+std::optional<Slit> FindSlit(const PlanarMap& map) {
+  std::optional<Slit> best;
   for (const OuterWalk& walk : OuterWalks(map, 0.25 * kSlit * map.diagonal)) {
-    if (const auto slit = BestSlit(map, walk, kLeastBodyShare * BoxArea(map)))
-      slits.push_back(*slit);
+    const auto slit = BestSlit(map, walk, kLeastBodyShare * BoxArea(map));
+    if (slit && (!best || slit->width < best->width)) best = slit;
   }
-  return slits;
+  return best;
 }
 
-Diagnostic Describe(const Closure& closure, const char* code, const char* what, double diagonal) {
-  const double percent = 100 * (closure.to - closure.from).norm() / diagonal;
-  char text[160];
-  std::snprintf(text, sizeof text, "%s of %.2g %% of the drawing's size at (%.5g, %.5g)", what,
-                percent, closure.from.x(), closure.from.y());
-  return At(Warning(code, text), closure.from);
+/// Share of the drawn length that has an inside on at least one side.
+double Coverage(const PlanarMap& map) {
+  double covered = 0, all = 0;
+  for (int e = 0; e < static_cast<int>(map.edges.size()); ++e) {
+    const double length = Length(map.edges[Index(e)].points);
+    const auto inside = [&](int h) {
+      const MapCycle& cycle = map.cycles[Index(map.cycle[Index(h)])];
+      return cycle.area > 0 || cycle.inside.has_value();
+    };
+    all += length;
+    if (inside(2 * e) || inside(2 * e + 1)) covered += length;
+  }
+  return all > 0 ? covered / all : 0;
 }
 
-/// One round: the map with the closures drawn in.
-Outcome<PlanarMap> Redraw(std::vector<ArrangementLine>& lines, const std::vector<Closure>& closures,
-                          double diagonal) {
-  for (const Closure& c : closures) lines.push_back({{c.from, c.to}, -1, false, 0});
-  return Arrange(lines, diagonal);
+bool EnclosesAnimal(const PlanarMap& map) {
+  return LargestFace(map) >= kLeastBodyShare * BoxArea(map) && Coverage(map) >= kLeastCoverage;
 }
 
-/// Where the outline is open: the narrowest closure that would enclose an animal, however wide.
-Diagnostic OpenOutline(const PlanarMap& map) {
-  std::optional<Closure> best;
-  for (const double bridge : {0.05, 0.08, 0.12, 0.2, 0.35, 0.7}) {
-    for (const OuterWalk& walk : OuterWalks(map, 0.01 * map.diagonal)) {
-      for (std::size_t i = 0; i < walk.points.size(); ++i) {
-        if (!walk.points[i].is_tip) continue;
-        const auto closure = BestClosure(map, walk, i, bridge * map.diagonal);
-        if (closure && (!best || closure->area > best->area)) best = closure;
-      }
-    }
-    if (best && best->area > kLeastBodyShare * BoxArea(map)) break;
-  }
-  if (!best) {
-    return Error(FailureKind::kUnderstanding, "outline-open",
-                 "no line of the drawing encloses an animal; draw its outline closed");
-  }
+/// The line of a closure: straight for a slip of the pen, else tangent to what it goes on from, if
+/// there is room for that.
+Polyline Curve(const PlanarMap& map, const Closure& c) {
+  const double chord = c.Length();
+  Polyline straight{c.from, c.to};
+  if (chord < kSlip * map.diagonal) return straight;
+  const Vector2d to_handle = c.to_direction.isZero(0) ? Vector2d((c.from - c.to) / 3)
+                                                      : Vector2d(chord / 3 * c.to_direction);
+  const CubicBezier cubic{{c.from, c.from + chord / 3 * c.from_direction, c.to + to_handle, c.to}};
+  Polyline line;
+  constexpr int kPieces = 8;
+  for (int i = 0; i <= kPieces; ++i) line.push_back(cubic.At(static_cast<double>(i) / kPieces));
+  return line;
+}
+
+Diagnostic Describe(const Vector2d& from, const Vector2d& to, const char* code, const char* what,
+                    double diagonal) {
   char text[200];
   std::snprintf(text, sizeof text,
-                "the outline is open between (%.5g, %.5g) and (%.5g, %.5g), %.2g %% of the "
-                "drawing's size apart; join the ends",
-                best->from.x(), best->from.y(), best->to.x(), best->to.y(),
-                100 * (best->to - best->from).norm() / map.diagonal);
-  return At(Error(FailureKind::kUnderstanding, "outline-open", text), best->from);
+                "%s of %.2g %% of the drawing's size between (%.5g, %.5g) and (%.5g, %.5g)", what,
+                100 * (to - from).norm() / diagonal, from.x(), from.y(), to.x(), to.y());
+  return At(Warning(code, text), 0.5 * (from + to));
+}
+
+/// Where the outline is open: the widest of the closures that would enclose an animal, however
+/// wide.
+Diagnostic OpenOutline(const PlanarMap& map, const std::vector<ArrangementLine>& lines) {
+  for (const double reach : {0.15, 0.25, 0.4, 0.7}) {
+    const std::vector<Closure> found = FindClosures(map, {reach * map.diagonal, std::numbers::pi});
+    const auto chosen = ChooseClosures(lines, found, map.diagonal);
+    if (!chosen || chosen->empty()) continue;
+    const Closure& widest =
+        found[*std::max_element(chosen->begin(), chosen->end(), [&](std::size_t a, std::size_t b) {
+          return found[a].Length() < found[b].Length();
+        })];
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "the outline is open between (%.5g, %.5g) and (%.5g, %.5g), %.2g %% of the "
+                  "drawing's size apart; join the ends",
+                  widest.from.x(), widest.from.y(), widest.to.x(), widest.to.y(),
+                  100 * widest.Length() / map.diagonal);
+    return At(Error(FailureKind::kUnderstanding, "outline-open", text), widest.from);
+  }
+  return Error(FailureKind::kUnderstanding, "outline-open",
+               "no line of the drawing encloses an animal; draw its outline closed");
+}
+
+/// Closes what is worth closing within `search`; the number of closures.
+Outcome<int> CloseRound(Working& work, const ClosureSearch& search) {
+  using Result = Outcome<int>;
+  const std::vector<Closure> found = FindClosures(work.map, search);
+  if (found.empty()) return 0;
+  Diagnostics log;
+  const auto chosen = ChooseClosures(work.lines, found, work.map.diagonal).MoveInto(log);
+  if (!chosen) return Result::Failure(std::move(log));
+  if (chosen->empty()) return 0;
+  for (const std::size_t i : *chosen) {
+    const Closure& c = found[i];
+    work.lines.push_back({Curve(work.map, c), -1, false, 0});
+    log.push_back(Describe(c.from, c.to, "gap-closed", "closed a gap", work.map.diagonal));
+  }
+  auto redrawn = Arrange(work.lines, work.map.diagonal).MoveInto(log);
+  if (!redrawn) return Result::Failure(std::move(log));
+  work.map = std::move(*redrawn);
+  return {static_cast<int>(chosen->size()), std::move(log)};
 }
 
 }  // namespace
 
 Outcome<PlanarMap> CloseGaps(PlanarMap map, std::vector<ArrangementLine> lines,
                              const BuildPlanarMapOptions& options) {
+  using Result = Outcome<PlanarMap>;
   Diagnostics log;
-  const double least = kLeastBodyShare * BoxArea(map);
-  for (int round = 0; round < kMaxRounds; ++round) {
-    std::vector<Closure> closures = FindClosures(map, options.bridge * map.diagonal);
-    const bool gaps = !closures.empty();
-    if (!gaps && LargestFace(map) < least) closures = FindSlits(map);
-    if (closures.empty()) break;
-    for (const Closure& c : closures) {
-      log.push_back(
-          gaps ? Describe(c, "gap-closed", "closed a gap", map.diagonal)
-               : Describe(c, "slit-closed", "closed a slit between two lines", map.diagonal));
-    }
-    auto redrawn = Redraw(lines, closures, map.diagonal).MoveInto(log);
-    if (!redrawn) return Outcome<PlanarMap>::Failure(std::move(log));
-    map = std::move(*redrawn);
+  Working work{std::move(map), std::move(lines)};
+  const double size = work.map.diagonal;
+  if (!CloseRound(work, {options.bridge * size, kMaxTurn}).MoveInto(log))
+    return Result::Failure(std::move(log));
+  for (double reach = options.bridge; reach < options.bridge_max && !EnclosesAnimal(work.map);) {
+    reach = std::min(kWider * reach, options.bridge_max);
+    if (!CloseRound(work, {reach * size, std::numbers::pi}).MoveInto(log))
+      return Result::Failure(std::move(log));
   }
-  if (LargestFace(map) < least) {
-    log.push_back(OpenOutline(map));
-    return Outcome<PlanarMap>::Failure(std::move(log));
+  const double least = kLeastBodyShare * BoxArea(work.map);
+  while (LargestFace(work.map) < least) {
+    const auto slit = FindSlit(work.map);
+    if (!slit) break;
+    log.push_back(
+        Describe(slit->from, slit->to, "slit-closed", "closed a slit between two lines", size));
+    work.lines.push_back({{slit->from, slit->to}, -1, false, 0});
+    auto redrawn = Arrange(work.lines, size).MoveInto(log);
+    if (!redrawn) return Result::Failure(std::move(log));
+    work.map = std::move(*redrawn);
   }
-  return {std::move(map), std::move(log)};
+  if (LargestFace(work.map) < least) {
+    log.push_back(OpenOutline(work.map, work.lines));
+    return Result::Failure(std::move(log));
+  }
+  return {std::move(work.map), std::move(log)};
 }
 
 }  // namespace lascaux
