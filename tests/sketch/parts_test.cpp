@@ -144,5 +144,58 @@ TEST(Ring, AreaAndInsideOfASquare) {
   EXPECT_FALSE(Contains(square, {3, 1}));
 }
 
+/// A torso with lobes hanging from its lower side: the outline of an animal, nothing else.
+Sketch Silhouette(const std::vector<double>& legs, double foot = 60) {
+  Points outline{{0, 0}, {200, 0}, {200, 60}};
+  for (auto x = legs.rbegin(); x != legs.rend(); ++x) {
+    for (const Vector2d& p : {Vector2d(*x + 10, 60), Vector2d(*x + 9, 60 + foot),
+                              Vector2d(*x - 9, 60 + foot), Vector2d(*x - 10, 60)})
+      outline.push_back(p);
+  }
+  outline.push_back({0, 60});
+  return SketchOf({Loop(outline)});
+}
+
+TEST(Parts, LoneLobesThatStandOnTheGroundAreLegs) {
+  const Parts parts = PartsOf(Silhouette({30, 170}));
+  const auto limbs = OfKind(parts, PartKind::kLimb);
+  ASSERT_EQ(limbs.size(), 2u);
+  for (const Part& limb : limbs) {
+    ASSERT_TRUE(limb.root);
+    EXPECT_EQ(limb.root->evidence, LimbEvidence::kNeck);
+    for (const Vector2d& closed : limb.root->closed) EXPECT_NEAR(closed.y(), 60, 3);
+    EXPECT_EQ(limb.over, 0);
+  }
+  // The torso is whole below them.
+  EXPECT_NEAR(SignedArea(parts.parts.front().outline.points), 12'000, 300);
+}
+
+TEST(Parts, OfTwoLobesSideBySideOneIsTheFarSideOfTheOther) {
+  const Parts parts = PartsOf(Silhouette({20, 48, 152, 180}));
+  EXPECT_EQ(OfKind(parts, PartKind::kLimb).size(), 2u);
+  int far = 0;
+  for (const Part& part : parts.parts) {
+    if (!part.far_side_of) continue;
+    ++far;
+    EXPECT_EQ(part.kind, PartKind::kBorder);
+    EXPECT_EQ(parts.parts[static_cast<std::size_t>(*part.far_side_of)].kind, PartKind::kLimb);
+  }
+  EXPECT_EQ(far, 2);
+}
+
+TEST(Parts, LobesThatHangInTheAirOrLieAreNoLegs) {
+  // A third one that ends higher than two that stand.
+  Sketch trunk = Silhouette({20, 100});
+  EXPECT_EQ(OfKind(PartsOf(trunk), PartKind::kLimb).size(), 2u);
+  EXPECT_EQ(OfKind(PartsOf(Silhouette({}, 0)), PartKind::kLimb).size(), 0u);
+  // Broader than long.
+  EXPECT_EQ(OfKind(PartsOf(Silhouette({30, 170}, 12)), PartKind::kLimb).size(), 0u);
+  Sketch upside_down = Silhouette({30, 170});
+  for (CubicBezier& piece : upside_down.strokes.front().pieces) {
+    for (Vector2d& p : piece.p) p = -p;
+  }
+  EXPECT_EQ(OfKind(PartsOf(upside_down), PartKind::kLimb).size(), 0u);
+}
+
 }  // namespace
 }  // namespace lascaux

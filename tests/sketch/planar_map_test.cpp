@@ -154,6 +154,40 @@ TEST(PlanarMap, LineMayCloseOntoItself) {
   EXPECT_GT(LargestArea(*map), 9'900);
 }
 
+int FreeEnds(const PlanarMap& map) {
+  return static_cast<int>(std::count_if(map.nodes.begin(), map.nodes.end(),
+                                        [](const MapNode& n) { return n.outgoing.size() == 1; }));
+}
+
+TEST(PlanarMap, PathThatIsFreeAtBothEndsMeetsTheLineThatItBeginsAt) {
+  // 1.8 % of the diagonal below the upper side, straight down into the face.
+  const auto map = BuildPlanarMap(SketchOf({Loop(kSquare), Straight({{40, 2.5}, {40, 40}})}));
+  ASSERT_TRUE(map);
+  EXPECT_TRUE(Has(map.diagnostics(), "gap-closed"));
+  EXPECT_EQ(FreeEnds(*map), 1);
+  // An eye there is no such path.
+  const auto eye = BuildPlanarMap(SketchOf({Loop(kSquare), Straight({{40, 2.5}, {40, 7}})}));
+  ASSERT_TRUE(eye);
+  EXPECT_FALSE(Has(eye.diagnostics(), "gap-closed"));
+}
+
+TEST(PlanarMap, EndThatStopsJustBeforeTheLineThatItPointsAtMeetsIt) {
+  const auto map = BuildPlanarMap(SketchOf({Loop(kSquare), Straight({{0, 40}, {98.8, 40}})}));
+  ASSERT_TRUE(map);
+  EXPECT_EQ(Count(*map, CycleKind::kBorder), 2);
+  // The tips of a limb's two curves don't meet.
+  const auto limb = BuildPlanarMap(SketchOf(
+      {Loop(kSquare), Straight({{30, 100}, {49.4, 50}}), Straight({{70, 100}, {50.6, 50}})}));
+  ASSERT_TRUE(limb);
+  EXPECT_EQ(FreeEnds(*limb), 2);
+}
+
+TEST(PlanarMap, OvershootBeyondTheSnapRadiusLeavesNoSpur) {
+  const auto map = BuildPlanarMap(SketchOf({Loop(kSquare), Straight({{-1.4, 40}, {101.4, 40}})}));
+  ASSERT_TRUE(map);
+  EXPECT_EQ(FreeEnds(*map), 0);
+}
+
 TEST(PlanarMap, WideGapIsAnErrorThatSaysWhere) {
   const auto map = BuildPlanarMap(
       SketchOf({Straight({{60, 0}, {100, 0}, {100, 100}, {0, 100}, {0, 0}, {40, 0}})}));

@@ -64,9 +64,10 @@ enum class PartKind : std::uint8_t {
 /// One structural part. Its index in Parts::parts is its id everywhere after.
 struct Part {
   PartKind kind = PartKind::kBorder;
-  Outline outline;               ///< completed where the drawing leaves it open
-  std::optional<int> over;       ///< for limbs: the part that it was cut from and lies over
-  std::optional<LimbRoot> root;  ///< for limbs
+  Outline outline;                 ///< completed where the drawing leaves it open
+  std::optional<int> over;         ///< for limbs: the part that it was cut from and lies over
+  std::optional<LimbRoot> root;    ///< for limbs
+  std::optional<int> far_side_of;  ///< for a leg that shows beside this limb in one outline
   std::vector<int>
       cycles;  ///< cycles of the planar map that it covers (a limb: the one it was cut from)
   /// Half-edges of the planar map on its outline, in order: one list for each stretch between
@@ -97,8 +98,9 @@ struct FindPartsOptions {
 /// limbs cut from it, parents before children; then islands, and enclosed cells.
 ///
 /// A limb is a stretch of outline between two suggestive curves (paired by least total energy over
-/// the whole cycle), or between one and the contour, or a bump beside a cell that is its far side
-/// (docs/structure.md). Every map gives parts; there are no errors.
+/// the whole cycle), between one and the contour, a bump beside a cell that is its far side, or a
+/// lobe of the contour that comes down to the ground (docs/structure.md). Every map gives parts;
+/// there are no errors.
 Outcome<Parts> FindParts(const PlanarMap& map, const FindPartsOptions& options = {},
                          const Execution& execution = {});
 

@@ -67,7 +67,7 @@ std::optional<double> Unlikeness(const PlanarMap& map, const Parts& parts,
 
 bool MayBeFarSide(const Parts& parts, int candidate, int body) {
   const Part& part = parts.parts[static_cast<std::size_t>(candidate)];
-  if (part.kind != PartKind::kBorder || candidate == body) return false;
+  if (part.kind != PartKind::kBorder || candidate == body || part.far_side_of) return false;
   return std::none_of(parts.parts.begin(), parts.parts.end(),
                       [&](const Part& other) { return other.over == candidate; });
 }
@@ -152,6 +152,9 @@ std::vector<std::optional<int>> FindFarSides(const PlanarMap& map, const Parts& 
   }
   std::vector<std::optional<int>> far_of(parts.parts.size());
   for (const auto& [cell, limb] : limb_of) far_of[static_cast<std::size_t>(cell)] = limb;
+  for (std::size_t i = 0; i < far_of.size(); ++i) {
+    if (parts.parts[i].far_side_of) far_of[i] = parts.parts[i].far_side_of;
+  }
   for (const Match& match : matches) {
     auto& far = far_of[static_cast<std::size_t>(match.cell)];
     const bool touches =

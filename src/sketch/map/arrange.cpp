@@ -16,6 +16,10 @@ using Eigen::Vector2d;
 /// or a file's third decimal can tell apart, far above rounding.
 constexpr double kNodeTolerance = 2e-6;
 
+/// What a line leaves over after it crossed another is a slip of the pen up to this share of the
+/// diagonal: the shortest suggestive curves are a little longer.
+constexpr double kOvershoot = 0.012;
+
 /// A place on a line where it is cut: position = index of the segment + fraction along it.
 struct Cut {
   double position = 0;
@@ -186,8 +190,17 @@ void DropTwins(PlanarMap& map) {
   map.edges = std::move(kept);
 }
 
-/// Removes dangling edges shorter than `shortest[e]`, again and again: behind a spur there may be
-/// another.
+/// True when both an edge's stroke and another one run through a node.
+bool IsCrossing(const PlanarMap& map, const std::vector<int>& edges, int stroke) {
+  int own = 0, other = 0;
+  for (const int e : edges)
+    ++(map.edges[static_cast<std::size_t>(e)].stroke == stroke ? own : other);
+  return own == 2 && other >= 2;
+}
+
+/// Removes dangling edges shorter than the snap radius of their lines, and those that a line has
+/// left over after it crossed another, if they are not much longer; again and again: behind a spur
+/// there may be another.
 void DropSpurs(PlanarMap& map, const std::vector<ArrangementLine>& lines) {
   std::unordered_map<int, double> shortest;
   for (const ArrangementLine& line : lines) {
@@ -196,20 +209,29 @@ void DropSpurs(PlanarMap& map, const std::vector<ArrangementLine>& lines) {
   }
   for (bool again = true; again;) {
     again = false;
-    std::vector<int> degree(map.nodes.size(), 0);
-    for (const MapEdge& edge : map.edges) {
-      ++degree[static_cast<std::size_t>(edge.nodes[0])];
-      ++degree[static_cast<std::size_t>(edge.nodes[1])];
+    std::vector<std::vector<int>> at(map.nodes.size());
+    for (int e = 0; e < static_cast<int>(map.edges.size()); ++e) {
+      for (const int node : map.edges[static_cast<std::size_t>(e)].nodes)
+        at[static_cast<std::size_t>(node)].push_back(e);
     }
     const auto is_spur = [&](const MapEdge& edge) {
-      const int a = degree[static_cast<std::size_t>(edge.nodes[0])],
-                b = degree[static_cast<std::size_t>(edge.nodes[1])];
-      return std::min(a, b) == 1 && std::max(a, b) > 2 &&
-             Length(edge.points) < shortest[edge.stroke];
+      const auto &a = at[static_cast<std::size_t>(edge.nodes[0])],
+                 &b = at[static_cast<std::size_t>(edge.nodes[1])];
+      const auto& root = a.size() == 1 ? b : a;
+      if (std::min(a.size(), b.size()) != 1 || root.size() <= 2) return false;
+      const double length = Length(edge.points);
+      return length < shortest[edge.stroke] ||
+             (length < kOvershoot * map.diagonal && shortest[edge.stroke] > 0 &&
+              IsCrossing(map, root, edge.stroke));
     };
-    const auto end = std::remove_if(map.edges.begin(), map.edges.end(), is_spur);
-    again = end != map.edges.end();
-    map.edges.erase(end, map.edges.end());
+    std::vector<bool> drop;
+    for (const MapEdge& edge : map.edges) drop.push_back(is_spur(edge));
+    std::size_t kept = 0;
+    for (std::size_t e = 0; e < map.edges.size(); ++e) {
+      if (!drop[e] && kept++ != e) map.edges[kept - 1] = std::move(map.edges[e]);
+    }
+    again = kept != map.edges.size();
+    map.edges.resize(kept);
   }
 }
 

@@ -32,14 +32,14 @@ struct Tip {
   int half_edge = 0;  ///< the one that begins here
 };
 
-/// The outside lines of a map: what closures may run to and must not cross.
-class Outside {
+/// The lines on one side of the outline: what closures may run to and must not cross.
+class Lines {
  public:
-  explicit Outside(const PlanarMap& map) : map_(map), grid_(SegmentsOf(map)) {
+  Lines(const PlanarMap& map, ClosureSide side) : map_(map), side_(side), grid_(SegmentsOf(map)) {
     for (const MapNode& node : map.nodes) {
       if (node.outgoing.size() != 1) continue;
       const int h = node.outgoing.front();
-      if (IsOuter(h)) tips_.push_back({node.position, -map.Departure(h), h});
+      if (IsOnSide(h)) tips_.push_back({node.position, -map.Departure(h), h});
     }
     std::stable_sort(tips_.begin(), tips_.end(),
                      [](const Tip& a, const Tip& b) { return a.position.x() < b.position.x(); });
@@ -49,7 +49,7 @@ class Outside {
   const SegmentGrid& grid() const { return grid_; }
   const PlanarMap& map() const { return map_; }
 
-  bool IsOuterEdge(int edge) const { return IsOuter(2 * edge) || IsOuter(2 * edge + 1); }
+  bool MayMeet(int edge) const { return IsOnSide(2 * edge) || IsOnSide(2 * edge + 1); }
 
   /// True when a line runs through between the two places.
   bool Blocked(const Vector2d& from, const Vector2d& to) const {
@@ -79,9 +79,10 @@ class Outside {
   }
 
  private:
-  bool IsOuter(int h) const {
-    return map_.cycles[static_cast<std::size_t>(map_.cycle[static_cast<std::size_t>(h)])].kind ==
-           CycleKind::kOuter;
+  bool IsOnSide(int h) const {
+    const int cycle = map_.cycle[static_cast<std::size_t>(h)];
+    const bool outer = map_.cycles[static_cast<std::size_t>(cycle)].kind == CycleKind::kOuter;
+    return outer == (side_ == ClosureSide::kOutside);
   }
 
   static std::vector<SegmentRef> SegmentsOf(const PlanarMap& map) {
@@ -96,6 +97,7 @@ class Outside {
   }
 
   const PlanarMap& map_;
+  ClosureSide side_;
   SegmentGrid grid_;
   std::vector<Tip> tips_;
 };
@@ -103,8 +105,8 @@ class Outside {
 /// Closures from one tip.
 class TipSearch {
  public:
-  TipSearch(const Outside& outside, const ClosureSearch& search, std::size_t tip)
-      : outside_(outside), search_(search), self_(tip), tip_(outside.tips()[tip]) {}
+  TipSearch(const Lines& lines, const ClosureSearch& search, std::size_t tip)
+      : lines_(lines), search_(search), self_(tip), tip_(lines.tips()[tip]) {}
 
   std::vector<Closure> Run() {
     ToTips();
@@ -115,17 +117,23 @@ class TipSearch {
     std::vector<Closure> kept;
     for (const Closure& c : found_) {
       if (kept.size() == kKept) break;
-      if (!outside_.Blocked(c.from, c.to)) kept.push_back(c);
+      if (!lines_.Blocked(c.from, c.to)) kept.push_back(c);
     }
     return kept;
   }
 
  private:
   void ToTips() {
-    const std::vector<Tip>& tips = outside_.tips();
-    // Each pair once, from the tip farther to the left.
-    for (std::size_t k = self_ + 1; k < tips.size(); ++k) {
+    const std::vector<Tip>& tips = lines_.tips();
+    // On the outside each pair once, from the tip farther to the left; inside each tip is one to
+    // choose for by itself.
+    std::size_t k = self_ + 1;
+    if (search_.side == ClosureSide::kInside) {
+      while (k > 0 && tip_.position.x() - tips[k - 1].position.x() <= search_.reach) --k;
+    }
+    for (; k < tips.size(); ++k) {
       if (tips[k].position.x() - tip_.position.x() > search_.reach) break;
+      if (k == self_) continue;
       const bool same = tips[k].half_edge / 2 == tip_.half_edge / 2;
       const double distance = (tips[k].position - tip_.position).norm();
       if (same && EdgeLength(tip_.half_edge / 2) < kOwnLine * distance) continue;
@@ -136,16 +144,15 @@ class TipSearch {
   void ToNearest() {
     std::map<int, std::pair<double, Vector2d>> nearest;  // by edge
     const Vector2d r = Vector2d::Constant(search_.reach);
-    outside_.grid().ForEachIn(
-        {Vector2d(tip_.position - r), Vector2d(tip_.position + r)}, [&](int s) {
-          const SegmentRef& line = outside_.grid().segments()[static_cast<std::size_t>(s)];
-          const Vector2d place =
-              line.a + NearestParameter(line.a, line.b, tip_.position) * (line.b - line.a);
-          const double distance = (place - tip_.position).norm();
-          if (distance > search_.reach || !MayMeet(line, place, distance)) return;
-          const auto [entry, is_new] = nearest.try_emplace(line.line, distance, place);
-          if (!is_new && distance < entry->second.first) entry->second = {distance, place};
-        });
+    lines_.grid().ForEachIn({Vector2d(tip_.position - r), Vector2d(tip_.position + r)}, [&](int s) {
+      const SegmentRef& line = lines_.grid().segments()[static_cast<std::size_t>(s)];
+      const Vector2d place =
+          line.a + NearestParameter(line.a, line.b, tip_.position) * (line.b - line.a);
+      const double distance = (place - tip_.position).norm();
+      if (distance > search_.reach || !MayMeet(line, place, distance)) return;
+      const auto [entry, is_new] = nearest.try_emplace(line.line, distance, place);
+      if (!is_new && distance < entry->second.first) entry->second = {distance, place};
+    });
     for (const auto& [edge, place] : nearest) Add(place.second, Vector2d::Zero());
   }
 
@@ -155,8 +162,8 @@ class TipSearch {
     Eigen::AlignedBox2d box(tip_.position);
     box.extend(end);
     std::optional<std::pair<double, Vector2d>> first;
-    outside_.grid().ForEachIn(box, [&](int s) {
-      const SegmentRef& line = outside_.grid().segments()[static_cast<std::size_t>(s)];
+    lines_.grid().ForEachIn(box, [&](int s) {
+      const SegmentRef& line = lines_.grid().segments()[static_cast<std::size_t>(s)];
       const auto hit = Intersection(tip_.position, end, line.a, line.b);
       if (!hit || (first && hit->first >= first->first)) return;
       const Vector2d place = tip_.position + hit->first * (end - tip_.position);
@@ -166,13 +173,13 @@ class TipSearch {
   }
 
   bool MayMeet(const SegmentRef& line, const Vector2d& place, double distance) const {
-    if (!(distance > 0) || !outside_.IsOuterEdge(line.line)) return false;
+    if (!(distance > 0) || !lines_.MayMeet(line.line)) return false;
     return line.line != tip_.half_edge / 2 ||
-           outside_.AlongOwn(tip_, line.index, place) >= kOwnLine * distance;
+           lines_.AlongOwn(tip_, line.index, place) >= kOwnLine * distance;
   }
 
   double EdgeLength(int edge) const {
-    return Length(outside_.map().edges[static_cast<std::size_t>(edge)].points);
+    return Length(lines_.map().edges[static_cast<std::size_t>(edge)].points);
   }
 
   void Add(const Vector2d& to, const Vector2d& to_direction) {
@@ -182,14 +189,14 @@ class TipSearch {
     const bool is_end = !to_direction.isZero(0);
     double turn = AngleBetween(tip_.outward, way);
     if (is_end) turn = std::max(turn, AngleBetween(to_direction, -way));
-    if (turn > search_.max_turn && distance > kSlip * outside_.map().diagonal) return;
+    if (turn > search_.max_turn && distance > kSlip * lines_.map().diagonal) return;
     const double bend = turn / kDoublingTurn;
     const double price =
         kSquares * (1 + bend * bend) * (is_end ? 1.0 : kMiddle) * distance * distance;
-    found_.push_back({tip_.position, to, tip_.outward, to_direction, price});
+    found_.push_back({tip_.position, to, tip_.half_edge, tip_.outward, to_direction, price, turn});
   }
 
-  const Outside& outside_;
+  const Lines& lines_;
   const ClosureSearch& search_;
   std::size_t self_;
   const Tip& tip_;
@@ -199,10 +206,10 @@ class TipSearch {
 }  // namespace
 
 std::vector<Closure> FindClosures(const PlanarMap& map, const ClosureSearch& search) {
-  const Outside outside(map);
+  const Lines lines(map, search.side);
   std::vector<Closure> closures;
-  for (std::size_t t = 0; t < outside.tips().size(); ++t) {
-    for (Closure& c : TipSearch(outside, search, t).Run()) closures.push_back(std::move(c));
+  for (std::size_t t = 0; t < lines.tips().size(); ++t) {
+    for (Closure& c : TipSearch(lines, search, t).Run()) closures.push_back(std::move(c));
   }
   return closures;
 }

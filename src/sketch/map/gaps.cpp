@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "sketch/map/attach.h"
 #include "sketch/map/closures.h"
 #include "sketch/map/enclosure.h"
 #include "sketch/map/outer_walk.h"
@@ -140,7 +141,8 @@ Diagnostic Describe(const Vector2d& from, const Vector2d& to, const char* code, 
 /// wide.
 Diagnostic OpenOutline(const PlanarMap& map, const std::vector<ArrangementLine>& lines) {
   for (const double reach : {0.15, 0.25, 0.4, 0.7}) {
-    const std::vector<Closure> found = FindClosures(map, {reach * map.diagonal, std::numbers::pi});
+    const std::vector<Closure> found =
+        FindClosures(map, {.reach = reach * map.diagonal, .max_turn = std::numbers::pi});
     const auto chosen = ChooseClosures(lines, found, map.diagonal);
     if (!chosen || chosen->empty()) continue;
     const Closure& widest =
@@ -159,24 +161,30 @@ Diagnostic OpenOutline(const PlanarMap& map, const std::vector<ArrangementLine>&
                "no line of the drawing encloses an animal; draw its outline closed");
 }
 
-/// Closes what is worth closing within `search`; the number of closures.
-Outcome<int> CloseRound(Working& work, const ClosureSearch& search) {
-  using Result = Outcome<int>;
-  const std::vector<Closure> found = FindClosures(work.map, search);
-  if (found.empty()) return 0;
+/// Draws closures into the map, with a warning for each; their number.
+Outcome<int> Draw(Working& work, const std::vector<Closure>& closures) {
   Diagnostics log;
-  const auto chosen = ChooseClosures(work.lines, found, work.map.diagonal).MoveInto(log);
-  if (!chosen) return Result::Failure(std::move(log));
-  if (chosen->empty()) return 0;
-  for (const std::size_t i : *chosen) {
-    const Closure& c = found[i];
+  if (closures.empty()) return 0;
+  for (const Closure& c : closures) {
     work.lines.push_back({Curve(work.map, c), -1, false, 0});
     log.push_back(Describe(c.from, c.to, "gap-closed", "closed a gap", work.map.diagonal));
   }
   auto redrawn = Arrange(work.lines, work.map.diagonal).MoveInto(log);
-  if (!redrawn) return Result::Failure(std::move(log));
+  if (!redrawn) return Outcome<int>::Failure(std::move(log));
   work.map = std::move(*redrawn);
-  return {static_cast<int>(chosen->size()), std::move(log)};
+  return {static_cast<int>(closures.size()), std::move(log)};
+}
+
+/// Closes what is worth closing within `search`; the number of closures.
+Outcome<int> CloseRound(Working& work, const ClosureSearch& search) {
+  const std::vector<Closure> found = FindClosures(work.map, search);
+  if (found.empty()) return 0;
+  Diagnostics log;
+  const auto chosen = ChooseClosures(work.lines, found, work.map.diagonal).MoveInto(log);
+  if (!chosen) return Outcome<int>::Failure(std::move(log));
+  std::vector<Closure> closures;
+  for (const std::size_t i : *chosen) closures.push_back(found[i]);
+  return Draw(work, closures);
 }
 
 }  // namespace
@@ -187,11 +195,11 @@ Outcome<PlanarMap> CloseGaps(PlanarMap map, std::vector<ArrangementLine> lines,
   Diagnostics log;
   Working work{std::move(map), std::move(lines)};
   const double size = work.map.diagonal;
-  if (!CloseRound(work, {options.bridge * size, kMaxTurn}).MoveInto(log))
+  if (!CloseRound(work, {.reach = options.bridge * size, .max_turn = kMaxTurn}).MoveInto(log))
     return Result::Failure(std::move(log));
   for (double reach = options.bridge; reach < options.bridge_max && !EnclosesAnimal(work.map);) {
     reach = std::min(kWider * reach, options.bridge_max);
-    if (!CloseRound(work, {reach * size, std::numbers::pi}).MoveInto(log))
+    if (!CloseRound(work, {.reach = reach * size, .max_turn = std::numbers::pi}).MoveInto(log))
       return Result::Failure(std::move(log));
   }
   const double least = kLeastBodyShare * BoxArea(work.map);
@@ -205,6 +213,7 @@ Outcome<PlanarMap> CloseGaps(PlanarMap map, std::vector<ArrangementLine> lines,
     if (!redrawn) return Result::Failure(std::move(log));
     work.map = std::move(*redrawn);
   }
+  if (!Draw(work, FindAttachments(work.map)).MoveInto(log)) return Result::Failure(std::move(log));
   if (LargestFace(work.map) < least) {
     log.push_back(OpenOutline(work.map, work.lines));
     return Result::Failure(std::move(log));

@@ -195,6 +195,14 @@ std::vector<Part> CutFace(const FaceView& face, int cycle, const std::vector<Lim
     id_of[i] = first_id + static_cast<int>(parts.size());
     parts.push_back(std::move(part));
   }
+  for (std::size_t i = 0; i < limbs.size(); ++i) {
+    if (limbs[i].far_of < 0) continue;
+    Part& far = parts[static_cast<std::size_t>(id_of[i] - first_id)];
+    far.kind = PartKind::kBorder;
+    far.over.reset();
+    far.root.reset();
+    far.far_side_of = id_of[static_cast<std::size_t>(limbs[i].far_of)];
+  }
   for (Part& part : parts) part.cycles = {cycle};
   return parts;
 }

@@ -25,6 +25,15 @@ bool Cross(const BoundaryLine& line, const LimbCut& a, const LimbCut& b) {
   return from != to;
 }
 
+/// The face that is the torso if any is: limbs without a line of their own are looked for there
+/// alone.
+bool IsMainFace(const PlanarMap& map, int cycle) {
+  return std::none_of(map.cycles.begin(), map.cycles.end(), [&](const MapCycle& other) {
+    return other.kind == CycleKind::kBorder &&
+           other.area > map.cycles[static_cast<std::size_t>(cycle)].area;
+  });
+}
+
 std::vector<Part> PartsOf(const PlanarMap& map, int cycle, int first_id,
                           const FindPartsOptions& options) {
   const Boundary boundary = BoundaryOf(map, cycle);
@@ -39,6 +48,13 @@ std::vector<Part> PartsOf(const PlanarMap& map, int cycle, int first_id,
     if (!crossing) limbs.push_back(std::move(limb));
   }
   for (LimbCut& limb : LimbsBesideCells(face, limbs)) limbs.push_back(std::move(limb));
+  if (IsMainFace(map, cycle)) {
+    const int known = static_cast<int>(limbs.size());
+    for (LimbCut& limb : NeckLimbs(face, limbs)) {
+      if (limb.far_of >= 0) limb.far_of += known;
+      limbs.push_back(std::move(limb));
+    }
+  }
   return CutFace(face, cycle, limbs, first_id);
 }
 

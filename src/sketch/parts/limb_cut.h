@@ -19,6 +19,7 @@ struct LimbCut {
   OutlineKind from_kind = OutlineKind::kDrawn, to_kind = OutlineKind::kDrawn;
   LimbEvidence evidence = LimbEvidence::kTwoCurves;
   double energy = 0;
+  int far_of = -1;  ///< index, among the cuts of the face, of the limb whose far side it is
 };
 
 /// Everything that the rules look at, for one face.
@@ -56,6 +57,13 @@ std::vector<LimbCut> OneCurveLimbs(const FaceView& face, const Pairing& pairing)
 /// narrowest place. `known` limbs are left alone, and so are cells that touch one. O(n) in the
 /// points of the boundary for each cell.
 std::vector<LimbCut> LimbsBesideCells(const FaceView& face, const std::vector<LimbCut>& known);
+
+/// Legs without any suggestive curve: lobes of the contour that hang down to the ground, parted
+/// from the rest where the contour comes nearest to a crotch, as long as they and the standing ones
+/// among `limbs` are no more than an animal has. Of two side by side the lower one is the near one,
+/// the other its far side (`far_of` counts among what is returned). That a part ends at the
+/// shortest line from a crotch is Singh, Seyranian and Hoffman's rule (1999).
+std::vector<LimbCut> NeckLimbs(const FaceView& face, const std::vector<LimbCut>& limbs);
 
 /// The parts of one face: first what is left of the face itself, then its limbs, parents before
 /// children. `first_id` is the id that the first of them will have.

@@ -1,0 +1,75 @@
+#include "sketch/map/attach.h"
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "sketch/map/polyline.h"
+
+namespace lascaux {
+namespace {
+
+/// An end this near to the line that it points at was meant to reach it: twice the radius in which
+/// ends snap whichever way they point.
+constexpr double kSlip = 0.01;
+constexpr double kSlipTurn = std::numbers::pi / 5;
+/// The better end of a path that is free at both.
+constexpr double kLoose = 0.025;
+constexpr double kLooseTurn = std::numbers::pi / 3;
+/// How many gaps long such a path is at least, and of which share of the diagonal: shorter ones are
+/// eyes and wrinkles.
+constexpr double kGaps = 4;
+constexpr double kShortest = 0.05;
+
+/// The way from a free end to the next place where lines meet or end.
+struct Path {
+  int end = 0;  ///< its last half-edge
+  double length = 0;
+  bool is_loose = false;  ///< it ends freely, too
+};
+
+Path PathFrom(const PlanarMap& map, int half_edge) {
+  Path path;
+  int h = half_edge;
+  while (true) {
+    path.length += Length(map.edges[static_cast<std::size_t>(h / 2)].points);
+    path.end = h;
+    const auto& next = map.nodes[static_cast<std::size_t>(map.Target(h))].outgoing;
+    if (next.size() != 2) {
+      path.is_loose = next.size() == 1;
+      return path;
+    }
+    h = next[0] == PlanarMap::Twin(h) ? next[1] : next[0];
+  }
+}
+
+}  // namespace
+
+std::vector<Closure> FindAttachments(const PlanarMap& map) {
+  const double size = map.diagonal;
+  std::vector<Closure> chosen;
+  std::map<int, Closure> best_of_loose;  // by the lesser edge at the path's two ends
+  std::optional<int> tip;
+  for (const Closure& c : FindClosures(
+           map, {.side = ClosureSide::kInside, .reach = kLoose * size, .max_turn = kLooseTurn})) {
+    const Path path = PathFrom(map, c.half_edge);
+    const bool is_slip = c.Length() <= kSlip * size && c.turn <= kSlipTurn;
+    if (!path.is_loose) {
+      // The tips of a limb's two curves don't meet: it would be cut off.
+      const bool meets_line = c.to_direction.isZero(0);
+      if (is_slip && meets_line && tip != c.half_edge) chosen.push_back(c);
+      if (is_slip && meets_line) tip = c.half_edge;
+      continue;
+    }
+    if (path.length < kShortest * size || path.length < kGaps * c.Length()) continue;
+    const int key = std::min(c.half_edge / 2, path.end / 2);
+    const auto [entry, is_new] = best_of_loose.try_emplace(key, c);
+    if (!is_new && c.price < entry->second.price) entry->second = c;
+  }
+  for (const auto& [path, closure] : best_of_loose) chosen.push_back(closure);
+  return chosen;
+}
+
+}  // namespace lascaux

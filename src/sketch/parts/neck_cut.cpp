@@ -1,0 +1,309 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "sketch/parts/limb_cut.h"
+
+namespace lascaux {
+namespace {
+
+using Eigen::Vector2d;
+
+/// Steps along the contour, and the reach over which its turns are taken; shares of the diagonal.
+constexpr double kStep = 5e-3, kTurnReach = 0.02;
+/// A contour that is longer than this many steps is fur: it is sampled more coarsely, to save time.
+constexpr int kMostSamples = 3000;
+/// A crotch turns into the animal by at least this much.
+constexpr double kCrotch = 25 * std::numbers::pi / 180;
+/// Width of a leg's root, share of the diagonal: below it is a hair, above it half the animal.
+constexpr double kLeastWidth = 8e-3, kMostWidth = 0.25;
+/// A leg is at least this many root widths long (to the corner of its foot), and at most this share
+/// of the face's area.
+constexpr double kLeastReach = 1.05, kMostArea = 0.15;
+/// Shorter lobes, as a share of the diagonal, are toes.
+constexpr double kLeastLength = 0.06;
+/// It stands in the lowest part of the drawing, this share of its height, and points down.
+constexpr double kGround = 0.15;
+constexpr double kDown = 50 * std::numbers::pi / 180;
+/// Past the narrowest place the contour has to widen by this much, or the neck is none.
+constexpr double kWidening = 1.25;
+/// Legs whose roots are nearer to each other than this share of the animal's width are the two of a
+/// pair.
+constexpr double kSamePair = 0.2;
+/// Pairs of legs that an animal stands on: what hangs down besides is a trunk, a beard, a tail.
+constexpr int kPairs = 2;
+/// How far a leg without any line on the flank reaches up into it, in widths of its root.
+constexpr double kTop = 0.6;
+
+/// The contour of a face, evenly sampled.
+struct Contour {
+  const FaceView& face;
+  double step = 0, width = 0;
+  int size = 0;
+  std::vector<Vector2d> points;
+
+  const Vector2d& At(int i) const {
+    return points[static_cast<std::size_t>(((i % size) + size) % size)];
+  }
+};
+
+/// A stretch of the contour that a neck parts from the rest: samples `from` to `to`, which may
+/// exceed the contour's size.
+struct Lobe {
+  int from = 0, to = 0;
+  double width = 0, length = 0;
+  Vector2d root, tip;
+};
+
+Contour Sampled(const FaceView& face) {
+  Contour contour{face, 0, 0, 0, {}};
+  contour.size = std::clamp(
+      static_cast<int>(std::ceil(face.line.length / (kStep * face.map.diagonal))), 8, kMostSamples);
+  contour.step = face.line.length / contour.size;
+  for (int i = 0; i < contour.size; ++i) contour.points.push_back(face.line.At(i * contour.step));
+  const auto [left, right] =
+      std::minmax_element(contour.points.begin(), contour.points.end(),
+                          [](const Vector2d& a, const Vector2d& b) { return a.x() < b.x(); });
+  contour.width = right->x() - left->x();
+  return contour;
+}
+
+/// Turn of the contour at a sample; negative where it turns into the animal.
+double TurnAt(const Contour& contour, int i) {
+  const int reach = std::max(1, static_cast<int>(kTurnReach / kStep));
+  const Vector2d before = contour.At(i) - contour.At(i - reach),
+                 after = contour.At(i + reach) - contour.At(i);
+  return std::atan2(Cross(before, after), before.dot(after));
+}
+
+std::vector<int> Crotches(const Contour& contour) {
+  std::vector<double> turns;
+  for (int i = 0; i < contour.size; ++i) turns.push_back(TurnAt(contour, i));
+  const auto turn = [&](int i) {
+    return turns[static_cast<std::size_t>(((i % contour.size) + contour.size) % contour.size)];
+  };
+  std::vector<int> crotches;
+  const int reach = std::max(1, static_cast<int>(kTurnReach / kStep));
+  for (int i = 0; i < contour.size; ++i) {
+    bool sharpest = turn(i) < -kCrotch;
+    for (int k = 1; k <= reach && sharpest; ++k)
+      sharpest = turn(i) < turn(i - k) && turn(i) <= turn(i + k);
+    if (sharpest) crotches.push_back(i);
+  }
+  return crotches;
+}
+
+/// The sample, walking from a crotch one way, at which the contour comes back nearest to it before
+/// it goes off into the rest of the animal.
+std::optional<int> Opposite(const Contour& contour, int crotch, int way) {
+  const Vector2d& origin = contour.At(crotch);
+  double farthest = 0, nearest = 0;
+  int place = 0;  // steps to the nearest so far; none yet
+  for (int k = 1; k < 3 * contour.size / 4; ++k) {
+    const double d = (contour.At(crotch + way * k) - origin).norm();
+    if (place == 0 && d >= farthest) {
+      farthest = d;
+    } else if (place == 0 || d < nearest) {
+      place = k;
+      nearest = d;
+    } else if (d > kWidening * nearest && nearest < farthest / kLeastReach) {
+      return crotch + way * place;
+    } else if (d > farthest) {
+      // The waist was none: the way leads on outward.
+      farthest = d;
+      place = 0;
+    }
+  }
+  return std::nullopt;
+}
+
+double AreaOf(const Contour& contour, const Lobe& lobe) {
+  double twice = 0;
+  const Vector2d& origin = contour.At(lobe.from);
+  for (int i = lobe.from; i < lobe.to; ++i)
+    twice += Cross(contour.At(i) - origin, contour.At(i + 1) - origin);
+  return 0.5 * twice;
+}
+
+bool ChordIsInside(const FaceView& face, const Vector2d& a, const Vector2d& b) {
+  for (const double share : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+    if (!Contains(face.line.points, a + share * (b - a))) return false;
+  }
+  return true;
+}
+
+/// Heights between which the drawing lies, as seen on the page.
+struct Heights {
+  double top = 0, bottom = 0;
+};
+
+Heights HeightsOf(const PlanarMap& map) {
+  Heights heights{map.nodes.front().position.y(), map.nodes.front().position.y()};
+  for (const MapEdge& edge : map.edges) {
+    for (const Vector2d& p : edge.points) {
+      heights.top = std::min(heights.top, p.y());
+      heights.bottom = std::max(heights.bottom, p.y());
+    }
+  }
+  return heights;
+}
+
+bool IsLeg(const Contour& contour, const Lobe& lobe, const Heights& heights) {
+  const double diagonal = contour.face.map.diagonal;
+  if (lobe.width < kLeastWidth * diagonal || lobe.width > kMostWidth * diagonal) return false;
+  if (lobe.length < std::max(kLeastReach * lobe.width, kLeastLength * diagonal)) return false;
+  if (lobe.tip.y() < heights.bottom - kGround * (heights.bottom - heights.top)) return false;
+  if (AngleBetween(lobe.tip - lobe.root, {0, 1}) > kDown) return false;
+  const double area = AreaOf(contour, lobe);
+  if (area <= 0 || area > kMostArea * SignedArea(contour.face.line.points)) return false;
+  return ChordIsInside(contour.face, contour.At(lobe.from), contour.At(lobe.to));
+}
+
+Lobe LobeBetween(const Contour& contour, int from, int to) {
+  Lobe lobe{from,
+            to,
+            (contour.At(to) - contour.At(from)).norm(),
+            0,
+            0.5 * (contour.At(from) + contour.At(to)),
+            contour.At(from)};
+  for (int i = from; i <= to; ++i) {
+    const double d = (contour.At(i) - lobe.root).norm();
+    if (d <= lobe.length) continue;
+    lobe.length = d;
+    lobe.tip = contour.At(i);
+  }
+  return lobe;
+}
+
+bool Overlap(const Contour& contour, const Lobe& a, const Lobe& b) {
+  const auto holds = [&](const Lobe& lobe, int i) {
+    return ((i - lobe.from) % contour.size + contour.size) % contour.size < lobe.to - lobe.from;
+  };
+  return holds(a, b.from) || holds(b, a.from);
+}
+
+/// The legs of the contour, in its order.
+std::vector<Lobe> FindLegs(const Contour& contour) {
+  const Heights heights = HeightsOf(contour.face.map);
+  std::vector<Lobe> found;
+  for (const int crotch : Crotches(contour)) {
+    for (const int way : {1, -1}) {
+      const auto opposite = Opposite(contour, crotch, way);
+      if (!opposite) continue;
+      const Lobe lobe = way > 0 ? LobeBetween(contour, crotch, *opposite)
+                                : LobeBetween(contour, *opposite, crotch);
+      if (IsLeg(contour, lobe, heights)) found.push_back(lobe);
+    }
+  }
+  // Of two cuts through one leg the one that parts more of it at a narrower place.
+  std::stable_sort(found.begin(), found.end(), [](const Lobe& a, const Lobe& b) {
+    return a.length * a.length / a.width > b.length * b.length / b.width;
+  });
+  std::vector<Lobe> legs;
+  for (const Lobe& lobe : found) {
+    const bool taken = std::any_of(
+        legs.begin(), legs.end(), [&](const Lobe& other) { return Overlap(contour, lobe, other); });
+    if (!taken) legs.push_back(lobe);
+  }
+  std::stable_sort(legs.begin(), legs.end(),
+                   [](const Lobe& a, const Lobe& b) { return a.from < b.from; });
+  return legs;
+}
+
+/// A line from a closed end up into the animal: `up` as far as there is room.
+Polyline Upward(const FaceView& face, const Vector2d& closed, const Vector2d& up) {
+  double share = 1;
+  while (share > 0.2 && !ChordIsInside(face, closed, closed + share * up)) share *= 0.8;
+  return {closed, closed + share * up};
+}
+
+LimbCut CutAt(const Contour& contour, const Lobe& leg) {
+  const FaceView& face = contour.face;
+  const Vector2d up = kTop * leg.width * (leg.root - leg.tip).stableNormalized();
+  LimbCut cut;
+  cut.from = face.line.Wrap(leg.from * contour.step);
+  cut.to = face.line.Wrap(leg.to * contour.step);
+  cut.from_curve = Upward(face, face.line.At(cut.from), up);
+  cut.to_curve = Upward(face, face.line.At(cut.to), up);
+  cut.from_kind = cut.to_kind = OutlineKind::kCompletion;
+  cut.evidence = LimbEvidence::kNeck;
+  return cut;
+}
+
+/// Two lobes nearer to each other than legs of different pairs are.
+bool AreOnePair(const Contour& contour, const Lobe& a, const Lobe& b) {
+  return (a.root - b.root).norm() < kSamePair * contour.width;
+}
+
+/// Legs that stand side by side, by their indices in ascending order.
+std::vector<std::vector<std::size_t>> Groups(const Contour& contour,
+                                             const std::vector<Lobe>& legs) {
+  std::vector<std::vector<std::size_t>> groups;
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    if (i > 0 && AreOnePair(contour, legs[i - 1], legs[i])) {
+      groups.back().push_back(i);
+    } else {
+      groups.push_back({i});
+    }
+  }
+  const bool around = groups.size() > 1 && AreOnePair(contour, legs.back(), legs.front());
+  if (around) {
+    groups.front().insert(groups.front().end(), groups.back().begin(), groups.back().end());
+    groups.pop_back();
+  }
+  return groups;
+}
+
+/// Known limbs that stand on the ground.
+int StandingLimbs(const FaceView& face, const std::vector<LimbCut>& limbs) {
+  const Heights heights = HeightsOf(face.map);
+  const double ground = heights.bottom - kGround * (heights.bottom - heights.top);
+  return static_cast<int>(std::count_if(limbs.begin(), limbs.end(), [&](const LimbCut& limb) {
+    const double own = face.line.Ahead(limb.from, limb.to), step = kStep * face.map.diagonal;
+    for (double s = 0; s < own; s += step) {
+      if (face.line.At(limb.from + s).y() > ground) return true;
+    }
+    return false;
+  }));
+}
+
+bool IsFree(const FaceView& face, const LimbCut& cut, const std::vector<LimbCut>& limbs) {
+  const double own = face.line.Ahead(cut.from, cut.to);
+  return std::none_of(limbs.begin(), limbs.end(), [&](const LimbCut& limb) {
+    return face.line.Ahead(cut.from, limb.from) < own ||
+           face.line.Ahead(limb.from, cut.from) < face.line.Ahead(limb.from, limb.to);
+  });
+}
+
+}  // namespace
+
+std::vector<LimbCut> NeckLimbs(const FaceView& face, const std::vector<LimbCut>& limbs) {
+  const int wanted = kPairs - StandingLimbs(face, limbs);
+  if (wanted <= 0) return {};
+  const Contour contour = Sampled(face);
+  std::vector<Lobe> legs = FindLegs(contour);
+  std::erase_if(legs, [&](const Lobe& leg) { return !IsFree(face, CutAt(contour, leg), limbs); });
+  std::vector<std::vector<std::size_t>> groups = Groups(contour, legs);
+  std::vector<LimbCut> cuts;
+  // What comes down lower on the page is nearer: the near leg of a pair, and legs before trunks.
+  const auto lower = [&](std::size_t a, std::size_t b) {
+    return legs[a].tip.y() > legs[b].tip.y();
+  };
+  for (std::vector<std::size_t>& group : groups)
+    std::stable_sort(group.begin(), group.end(), lower);
+  std::stable_sort(groups.begin(), groups.end(),
+                   [&](const auto& a, const auto& b) { return lower(a.front(), b.front()); });
+  groups.resize(std::min(groups.size(), static_cast<std::size_t>(wanted)));
+  for (const std::vector<std::size_t>& group : groups) {
+    const LimbCut near = CutAt(contour, legs[group.front()]);
+    cuts.push_back(near);
+    if (group.size() == 1) continue;
+    LimbCut far = CutAt(contour, legs[group[1]]);
+    far.far_of = static_cast<int>(cuts.size()) - 1;
+    cuts.push_back(std::move(far));
+  }
+  return cuts;
+}
+
+}  // namespace lascaux
