@@ -31,7 +31,7 @@ struct Lighting {
     ambient += other.ambient;
     return *this;
   }
-  Lighting operator/(float n) const noexcept { return {key / n, rim / n, ambient / n}; }
+  Lighting operator*(float n) const noexcept { return {key * n, rim * n, ambient * n}; }
 };
 
 /// The lights' places, fixed to the camera so that every view is lit alike, and what they see of

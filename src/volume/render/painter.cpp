@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace lascaux {
@@ -31,8 +32,11 @@ constexpr std::array<std::array<float, 2>, 8> kEdgePlaces = {{{0.0625F, 0.4375F}
 /// and their normals are this close; between neighbours that do not, there is an edge.
 constexpr float kSheetVoxels = 2.5F;
 constexpr float kSheetCosine = 0.7F;
-/// Light is taken over from neighbours whose normals are this close.
-constexpr float kSmoothCosine = 0.94F;
+/// Light is gathered at every kLattice-th pixel of a block and at its last, and taken over where
+/// normals are this close; a pixel whose corners have less than this share in it gathers its own.
+constexpr int kLattice = 4;
+constexpr float kSmoothCosine = 0.9F;
+constexpr float kLeastShare = 0.3F;
 
 bool OnOneSheet(const std::optional<Sample>& a, const std::optional<Sample>& b,
                 float cosine = kSheetCosine) {
@@ -105,10 +109,14 @@ void Painter::PaintMiddles() {
 
 void Painter::PaintEdges() {
   ForBlocks([this](const Block& block) {
-    ForParts(block, 1, [this](const Block& pixel) {
-      if (IsEdge(pixel.left, pixel.top)) {
-        Put(pixel.left, pixel.top, EdgeLight(pixel.left, pixel.top));
-      }
+    ForParts(block, kQuad, [this](const Block& quad) {
+      if (!(free_[QuadIndex(quad.left, quad.top)] < kNothing))
+        return;  // no ray in it meets anything
+      ForParts(quad, 1, [this](const Block& pixel) {
+        if (IsEdge(pixel.left, pixel.top)) {
+          Put(pixel.left, pixel.top, EdgeLight(pixel.left, pixel.top));
+        }
+      });
     });
   });
 }
@@ -136,36 +144,49 @@ void Painter::GatherAt(int x, int y) {
   if (samples_[i]) lighting_[i] = scene_.Gather(*samples_[i]);
 }
 
-/// Gathers light at every other pixel, and between them takes the mean of neighbours on the same
-/// sheet.
+/// Gathers light at a lattice of pixels, and between them blends those on the same sheet: light
+/// that comes from large areas varies slowly.
 void Painter::GatherBlock(const Block& block) {
-  const auto skips_x = [&](int x) { return (x - block.left) % 2 == 1 && x != block.right - 1; };
-  const auto skips_y = [&](int y) { return (y - block.top) % 2 == 1 && y != block.bottom - 1; };
+  const auto is_node = [](int i, int begin, int end) {
+    return (i - begin) % kLattice == 0 || i == end - 1;
+  };
   ForParts(block, 1, [&](const Block& pixel) {
-    if (!skips_x(pixel.left) && !skips_y(pixel.top)) GatherAt(pixel.left, pixel.top);
+    if (is_node(pixel.left, block.left, block.right) &&
+        is_node(pixel.top, block.top, block.bottom)) {
+      GatherAt(pixel.left, pixel.top);
+    }
   });
   ForParts(block, 1, [&](const Block& pixel) {
     const int x = pixel.left, y = pixel.top;
-    const int dx = skips_x(x) ? 1 : 0, dy = skips_y(y) ? 1 : 0;
-    if (dx + dy == 0 || !samples_[Index(x, y)]) return;
-    lighting_[Index(x, y)] = MeanLighting(x, y, dx, dy);
+    const bool node = is_node(x, block.left, block.right) && is_node(y, block.top, block.bottom);
+    if (node || !samples_[Index(x, y)]) return;
+    const int left = x - (x - block.left) % kLattice, top = y - (y - block.top) % kLattice;
+    const Block cell{left, top, std::min(left + kLattice, block.right - 1),
+                     std::min(top + kLattice, block.bottom - 1)};
+    lighting_[Index(x, y)] = BlendedLighting(x, y, cell);
   });
 }
 
-Lighting Painter::MeanLighting(int x, int y, int dx, int dy) {
+/// Bilinear between the cell's corners, those on other sheets left out.
+Lighting Painter::BlendedLighting(int x, int y, const Block& cell) {
   const auto& here = samples_[Index(x, y)];
+  const auto share = [](int i, int low, int high) {
+    return high > low ? static_cast<float>(i - low) / static_cast<float>(high - low) : 0.F;
+  };
+  const float u = share(x, cell.left, cell.right), v = share(y, cell.top, cell.bottom);
   Lighting sum;
-  int count = 0;
-  for (const int ny : {y - dy, y + dy}) {
-    for (const int nx : {x - dx, x + dx}) {
-      const std::size_t there = Index(nx, ny);
-      if (!OnOneSheet(here, samples_[there], kSmoothCosine)) continue;
-      sum += lighting_[there];
-      ++count;
-    }
+  float total = 0;
+  for (const auto& [nx, ny, weight] : {std::tuple{cell.left, cell.top, (1 - u) * (1 - v)},
+                                       {cell.right, cell.top, u * (1 - v)},
+                                       {cell.left, cell.bottom, (1 - u) * v},
+                                       {cell.right, cell.bottom, u * v}}) {
+    const std::size_t there = Index(nx, ny);
+    if (weight == 0 || !OnOneSheet(here, samples_[there], kSmoothCosine)) continue;
+    sum += lighting_[there] * weight;
+    total += weight;
   }
-  if (count == 0) return scene_.Gather(*here);
-  return sum / static_cast<float>(count);
+  if (total < kLeastShare) return scene_.Gather(*here);
+  return sum * (1 / total);
 }
 
 bool Painter::IsEdge(int x, int y) const {

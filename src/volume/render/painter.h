@@ -37,7 +37,7 @@ class Painter {
   void TraceBlock(const Block& block);
   void GatherBlock(const Block& block);
   void GatherAt(int x, int y);
-  Lighting MeanLighting(int x, int y, int dx, int dy);
+  Lighting BlendedLighting(int x, int y, const Block& cell);
   bool IsEdge(int x, int y) const;
   Light EdgeLight(int x, int y) const;
   void Put(int x, int y, const Light& light);
