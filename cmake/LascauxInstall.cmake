@@ -9,6 +9,9 @@ install(TARGETS ${lascaux_modules} EXPORT lascauxTargets ARCHIVE DESTINATION ${C
 install(DIRECTORY include/lascaux DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT lascauxTargets NAMESPACE lascaux:: DESTINATION ${lascaux_package})
 
+# File managers: what a .vdb is, and how it looks.
+install(DIRECTORY share/ DESTINATION ${CMAKE_INSTALL_DATADIR})
+
 configure_package_config_file(cmake/lascauxConfig.cmake.in lascauxConfig.cmake
                               INSTALL_DESTINATION ${lascaux_package})
 # Fields are added before version 1, and sometimes changed.

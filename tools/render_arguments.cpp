@@ -17,6 +17,9 @@ void AddRender(CLI::App& app, RenderCommandOptions& options, int& threads) {
       ->type_name("FILE")
       ->required()
       ->take_all();
+  app.add_option("--as", options.format, "png or exr, whatever the endings of the outputs")
+      ->check(CLI::IsMember({"png", "exr"}))
+      ->type_name("FORMAT");
   AddViews(app, options.views);
   app.add_option("--turntable", options.turntable, "Turns the model around once in N pictures")
       ->check(CLI::Range(1, kMostPictures))

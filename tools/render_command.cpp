@@ -36,11 +36,20 @@ Sheet SheetOf(const RenderCommandOptions& options) {
   return joint ? Sheet::kOfAllModels : Sheet::kOfEachModel;
 }
 
+/// The formats of the outputs: of their endings, unless one is named.
+Outcome<std::vector<OutputRequest>> Requests(const RenderCommandOptions& options) {
+  if (options.format.empty()) return ReadOutputNames(Verb::kRender, options.outputs);
+  const OutputKind kind = options.format == "exr" ? OutputKind::kExr : OutputKind::kPng;
+  std::vector<OutputRequest> requests;
+  for (const std::string& name : options.outputs) requests.push_back({kind, name});
+  return requests;
+}
+
 /// The files of each model; for a sheet of all models each has the same.
 Outcome<std::vector<std::vector<OutputTarget>>> Plan(const RenderCommandOptions& options) {
   using Plans = std::vector<std::vector<OutputTarget>>;
   Diagnostics log;
-  const auto requests = ReadOutputNames(Verb::kRender, options.outputs).MoveInto(log);
+  const auto requests = Requests(options).MoveInto(log);
   if (!requests) return Outcome<Plans>::Failure(std::move(log));
   if (SheetOf(options) == Sheet::kOfEachModel) return PlanOutputs(options.models, *requests);
   Plans plans;

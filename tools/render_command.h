@@ -18,6 +18,7 @@ enum class Sheet : std::uint8_t { kOfEachModel, kOfAllModels };
 struct RenderCommandOptions {
   std::vector<std::string> models;   ///< paths, "-" for standard input
   std::vector<std::string> outputs;  ///< values of -o
+  std::string format;                ///< "png" or "exr", whatever the outputs' endings; or empty
   std::string grid;                  ///< name of the level set; empty: "surface" or the first
   std::vector<View> views;           ///< empty: three-quarter, for a contact sheet all four
   int turntable = 0;                 ///< pictures of a whole turn; 0: no turn

@@ -13,3 +13,4 @@ cmake --build "$folder/build"
 # The installed program finds its plugin, too.
 "$folder/prefix/bin/lascaux" build "$2/examples/cat.svg" -o "$folder/cat.png" --resolution 48
 test -s "$folder/cat.png"
+test -s "$folder/prefix/share/thumbnailers/lascaux.thumbnailer"

@@ -1,9 +1,12 @@
 #!/usr/bin/env python3
 """`lascaux render`: views, sheets, turntables, what is said of files that can't be drawn."""
+import configparser
 import random
+import re
+import shlex
 import subprocess
 
-from program import EXAMPLES, ProgramTest, limit_file_size, main, messages, run
+from program import EXAMPLES, SOURCE, ProgramTest, limit_file_size, main, messages, run
 
 SMALL = ("--size", 48)
 
@@ -116,6 +119,46 @@ class RenderTest(ProgramTest):
             process = run("render", path, "-o", self.folder / "a.png", "--size", 16)
             with self.subTest(case=case, said=process.stderr):
                 self.assertIn(process.returncode, (0, 3))
+
+    def test_file_managers_get_thumbnails(self):
+        entry = configparser.ConfigParser(interpolation=None)
+        entry.read(SOURCE / "share/thumbnailers/lascaux.thumbnailer")
+        line = entry["Thumbnailer Entry"]["Exec"]
+        for size in (128, 256, 512):
+            out = self.folder / f"thumbnail {size}.tmp"  # some name files without an ending
+            values = {"%i": str(CAT), "%u": f"file://{CAT}", "%o": str(out), "%s": str(size)}
+            words = [values.get(word, word) for word in shlex.split(line)]
+            self.assertEqual(words[0], entry["Thumbnailer Entry"]["TryExec"])
+            self.assert_code(run(*words[1:]), 0)
+            self.assertEqual(size_of(out), f"{size}x{size}4")
+            self.assertEqual(out.read_bytes()[1:4], b"PNG")
+
+    def test_file_managers_know_the_type(self):
+        types = (SOURCE / "share/mime/packages/lascaux.xml").read_text()
+        entry = (SOURCE / "share/thumbnailers/lascaux.thumbnailer").read_text()
+        mime = re.search(r'mime-type type="([^"]+)"', types).group(1)
+        self.assertIn(f"MimeType={mime};", entry)
+        magic = re.search(r'value="([^"]+)"', types).group(1).encode().decode("unicode_escape")
+        self.assertTrue(CAT.read_bytes().startswith(magic.encode("latin1")))
+
+    def test_exr_holds_what_a_compositor_needs(self):
+        self.draw("-o", self.folder / "a.exr")
+        text = subprocess.run(["iinfo", "-v", str(self.folder / "a.exr")], capture_output=True,
+                              text=True, check=True).stdout
+        for channel in ("R (half)", "A (half)", "Z (float)", "N.X (half)", "N.Z (half)"):
+            self.assertIn(channel, text)
+        self.draw("-o", self.folder / "b.exr", "--threads", 1)
+        same = subprocess.run(["idiff", str(self.folder / "a.exr"), str(self.folder / "b.exr")],
+                              capture_output=True, text=True)
+        self.assertEqual(same.returncode, 0, same.stdout)
+
+    def test_a_transparent_picture_lies_on_any_page(self):
+        self.draw("-o", self.folder / "a.exr", "--background", "transparent")
+        stats = subprocess.run(["iinfo", "--stats", str(self.folder / "a.exr")],
+                               capture_output=True, text=True, check=True).stdout
+        least = re.search(r"Stats Min: (.*?) \(", stats).group(1).split()
+        most = re.search(r"Stats Max: (.*?) \(", stats).group(1).split()
+        self.assertEqual((float(least[3]), float(most[3])), (0, 1), stats)
 
     def test_a_full_disk_leaves_the_old_picture(self):
         old = self.write("cat.png", "old")
