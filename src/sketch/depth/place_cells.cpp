@@ -35,13 +35,15 @@ class Placer {
         placed_(parts.parts.size()) {}
 
   void Run() {
-    for (Index i = 0; i < placed_.size(); ++i) {
-      placed_[i] =
-          static_cast<int>(i) == graph_.body || graph_.nodes[i].relation == Relation::kOver;
+    placed_[static_cast<Index>(graph_.body)] = true;
+    PlaceLimbs();
+    while (const auto next = LongestShared()) {
+      Place(next->first, next->second);
+      PlaceLimbs();
     }
-    while (const auto next = LongestShared()) Place(next->first, next->second);
     for (Index i = 0; i < placed_.size(); ++i) {
-      if (IsOpen(i)) graph_.nodes[i].role = PartRole::kIgnored;
+      const bool loose_limb = graph_.nodes[i].relation == Relation::kOver && !placed_[i];
+      if (IsOpen(i) || loose_limb) graph_.nodes[i].role = PartRole::kIgnored;
     }
     PairSideCells();
   }
@@ -51,6 +53,19 @@ class Placer {
   bool IsOpen(Index i) const {
     return !placed_[i] && parts_.parts[i].kind == PartKind::kBorder &&
            graph_.nodes[i].relation != Relation::kUnder;
+  }
+
+  /// Limbs have their place with the part that they lie over, and not before it: else that part
+  /// could be placed by what hangs on its own limb.
+  void PlaceLimbs() {
+    for (bool again = true; again;) {
+      again = false;
+      for (Index i = 0; i < placed_.size(); ++i) {
+        const DepthNode& node = graph_.nodes[i];
+        if (placed_[i] || node.relation != Relation::kOver) continue;
+        if (node.parent && placed_[static_cast<Index>(*node.parent)]) placed_[i] = again = true;
+      }
+    }
   }
 
   /// The open cell that shares the longest line with a placed part, and that part.
