@@ -37,9 +37,9 @@ inline std::string WrongWith(const Stroke& stroke) {
 inline std::string WrongWith(const Outcome<Sketch>& outcome) {
   constexpr std::string_view kErrors[] = {"not-svg", "broken-xml", "no-strokes", "not-finite",
                                           "too-large"};
-  constexpr std::string_view kOthers[] = {"bad-path-data",     "bad-attribute",
-                                          "bad-reference",     "duplicate-stroke",
-                                          "zero-length-piece", "ignored-element"};
+  constexpr std::string_view kOthers[] = {"bad-path-data",    "bad-attribute", "bad-reference",
+                                          "duplicate-stroke", "hidden-line",   "zero-length-piece",
+                                          "ignored-element"};
   const auto contains = [](const auto& list, std::string_view code) {
     return std::find(std::begin(list), std::end(list), code) != std::end(list);
   };

@@ -25,11 +25,14 @@ struct ReadSvgOptions {
 /// Reads a document from its bytes: any bytes, in UTF-8, UTF-16, UTF-32 or Latin-1.
 ///
 /// Strokes are what elements with a visible stroke draw: paths, basic shapes, and what `use` copies
-/// of them; in a drawing without any, the outlines of its filled areas. Each subpath is a stroke.
-/// Styles come from attributes, `style` and style sheets (names, classes, ids, nesting); clip
-/// paths, masks, dashes and markers have no effect. All curves become cubics: exactly, but for
-/// elliptic arcs, which are followed to 5e-6 of their radii. Consecutive pieces join exactly, and a
-/// closed stroke ends exactly where it begins.
+/// of them, and small dark blobs. In a drawing without lines, or whose lines are only details of
+/// its areas (they reach over less than 0.7 of its width or height), the outlines of filled areas
+/// as well, but not those in the page's white or between areas of one colour. What opaque areas
+/// cover that were drawn later is left out. Each subpath is a stroke, or several when it is hidden
+/// in between. Styles come from attributes, `style` and style sheets (names, classes, ids,
+/// nesting); clip paths, masks, dashes and markers have no effect. All curves become cubics:
+/// exactly, but for elliptic arcs, which are followed to 5e-6 of their radii. Consecutive pieces
+/// join exactly, and a closed stroke ends exactly where it begins.
 ///
 /// Curves that are drawn twice, in either direction, are kept once, with the fill of those that go.
 /// Pieces without length are dropped; a stroke of such is a dot if its caps are round, else
@@ -40,8 +43,8 @@ struct ReadSvgOptions {
 /// Errors, each with its place: "not-svg", "broken-xml", "no-strokes", "not-finite" (coordinates
 /// must be at most 1e75, the drawing not smaller than 1e-75), "too-large". Warnings:
 /// "bad-path-data" (what stands before the fault is kept), "bad-attribute", "bad-reference". Notes:
-/// "duplicate-stroke", "zero-length-piece", "ignored-element". Of each code at most 20, and how
-/// many more there are.
+/// "duplicate-stroke", "hidden-line", "zero-length-piece", "ignored-element". Of each code at most
+/// 20, and how many more there are.
 Outcome<Sketch> ReadSvg(std::string_view bytes, const ReadSvgOptions& options = {});
 
 }  // namespace lascaux

@@ -63,6 +63,7 @@ struct Context {
   Style style;
   Affine2d to_sketch = Affine2d::Identity();
   Viewport viewport;
+  bool is_clipped = false;  ///< something is cut off from what is drawn; we don't know what
   std::string_view use_id;  ///< of the nearest `use`, for shapes without an id of their own
   int depth = 0;
 };
@@ -157,6 +158,9 @@ class Walker {
     if (!reading_.SpendOnStyle(node, computed.cost)) return std::nullopt;
     Context context = around;
     ++context.depth;
+    for (const char* name : {"clip-path", "mask", "filter"}) {
+      context.is_clipped = context.is_clipped || node.attribute(name);
+    }
     context.style = computed.style;
     if (computed.style.transform.empty()) return context;
     const Transform transform = ParseTransform(computed.style.transform);
@@ -249,8 +253,12 @@ class Walker {
     if (reading_.failed() || shape.path.subpaths.empty()) return;
     const std::string_view own_id = node.attribute("id").value();
     const std::string_view id = own_id.empty() ? context.use_id : own_id;
-    const Pen pen{IsUtf8(id) ? std::string(id) : Latin1ToUtf8(id), node, context.style,
-                  context.to_sketch};
+    const Pen pen{IsUtf8(id) ? std::string(id) : Latin1ToUtf8(id),
+                  node,
+                  context.style,
+                  context.to_sketch,
+                  shapes_drawn_++,
+                  context.is_clipped};
     for (const Subpath& subpath : shape.path.subpaths) {
       // One without pieces takes memory as well.
       if (!reading_.SpendPieces(node, std::max<std::size_t>(1, subpath.pieces.size()))) return;
@@ -267,6 +275,7 @@ class Walker {
   Reading reading_;
   StyleSheet sheet_;
   StrokeCollector strokes_;
+  int shapes_drawn_ = 0;
   std::vector<pugi::xml_node> used_;  ///< targets of the `use` elements that are being drawn
   std::map<std::string_view, Ignored> ignored_;
 };

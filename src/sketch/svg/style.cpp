@@ -12,6 +12,7 @@ enum class Property : std::uint8_t {
   kDisplay,
   kFill,
   kFillOpacity,
+  kFillRule,
   kOpacity,
   kStroke,
   kStrokeLinecap,
@@ -21,11 +22,12 @@ enum class Property : std::uint8_t {
   kVisibility,
 };
 
-constexpr std::array<std::pair<std::string_view, Property>, 11> kProperties{{
+constexpr std::array<std::pair<std::string_view, Property>, 12> kProperties{{
     {"color", Property::kColor},
     {"display", Property::kDisplay},
     {"fill", Property::kFill},
     {"fill-opacity", Property::kFillOpacity},
+    {"fill-rule", Property::kFillRule},
     {"opacity", Property::kOpacity},
     {"stroke", Property::kStroke},
     {"stroke-linecap", Property::kStrokeLinecap},
@@ -60,6 +62,12 @@ std::optional<LineCap> ParseCap(std::string_view text) {
   if (EqualsIgnoringCase(text, "butt")) return LineCap::kButt;
   if (EqualsIgnoringCase(text, "round")) return LineCap::kRound;
   if (EqualsIgnoringCase(text, "square")) return LineCap::kSquare;
+  return std::nullopt;
+}
+
+std::optional<FillRule> ParseFillRule(std::string_view text) {
+  if (EqualsIgnoringCase(text, "nonzero")) return FillRule::kNonZero;
+  if (EqualsIgnoringCase(text, "evenodd")) return FillRule::kEvenOdd;
   return std::nullopt;
 }
 
@@ -132,6 +140,8 @@ class Cascade {
         return Assign(style_.fill, ParsePaint(value));
       case Property::kFillOpacity:
         return Assign(style_.fill_opacity, ParseOpacity(value));
+      case Property::kFillRule:
+        return Assign(style_.fill_rule, ParseFillRule(value));
       case Property::kOpacity:
         return Assign(style_.opacity, ParseOpacity(value));
       case Property::kStroke:
@@ -163,6 +173,9 @@ class Cascade {
         break;
       case Property::kFillOpacity:
         style_.fill_opacity = from.fill_opacity;
+        break;
+      case Property::kFillRule:
+        style_.fill_rule = from.fill_rule;
         break;
       case Property::kOpacity:
         style_.opacity = from.opacity;
@@ -198,6 +211,11 @@ class Cascade {
 bool Style::DrawsLine() const {
   return visible && stroke.kind != PaintKind::kNone && stroke_width > 0 && stroke_opacity > 0 &&
          opacity > 0;
+}
+
+bool Style::Covers() const {
+  constexpr double kOpaque = 0.95;
+  return DrawsArea() && fill_opacity * opacity >= kOpaque;
 }
 
 bool Style::DrawsArea() const {

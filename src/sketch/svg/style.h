@@ -6,6 +6,7 @@
 #include <pugixml.hpp>
 #include <string_view>
 
+#include "sketch/svg/cover.h"
 #include "sketch/svg/length.h"
 #include "sketch/svg/paint.h"
 #include "sketch/svg/style_sheet.h"
@@ -27,6 +28,7 @@ struct Style {
   Color color{0, 0, 0};
   double stroke_width = 1;
   double stroke_opacity = 1, fill_opacity = 1;
+  FillRule fill_rule = FillRule::kNonZero;
   LineCap cap = LineCap::kButt;
   bool visible = true;
   // Not inherited, but what an element multiplies or removes stays so below it.
@@ -37,6 +39,8 @@ struct Style {
   /// True when lines are drawn at all, and when areas are.
   bool DrawsLine() const;
   bool DrawsArea() const;
+  /// True when the area hides what was drawn before it.
+  bool Covers() const;
   /// The colour, if the paint has one that is known.
   std::optional<Color> ColorOf(const Paint& paint) const;
 };
