@@ -200,6 +200,21 @@ TEST(PlanarMap, WideGapIsAnErrorThatSaysWhere) {
   EXPECT_NEAR(std::abs(error.at->x() - 50), 10, 1e-6);
 }
 
+TEST(PlanarMap, OutlineThatIsOpenInManyPlacesSaysHowManyAndWhereItIsWidest) {
+  // Sides of a square whose corners are cut off far.
+  const auto map =
+      BuildPlanarMap(SketchOf({Straight({{25, 0}, {75, 0}}), Straight({{100, 25}, {100, 75}}),
+                               Straight({{75, 100}, {25, 100}}), Straight({{0, 65}, {0, 25}})}));
+  ASSERT_FALSE(map);
+  const Diagnostic& error = map.diagnostics().back();
+  EXPECT_EQ(error.code, "outline-open");
+  EXPECT_NE(error.message.find("in 4 places"), std::string::npos) << error.message;
+  ASSERT_TRUE(error.at);
+  const bool at_widest =
+      (*error.at - Vector2d(0, 65)).norm() < 1e-6 || (*error.at - Vector2d(25, 100)).norm() < 1e-6;
+  EXPECT_TRUE(at_widest) << error.message;
+}
+
 TEST(PlanarMap, LineWithoutAnInsideHasAnOpenOutline) {
   const auto map = BuildPlanarMap(SketchOf({Straight({{0, 0}, {100, 5}})}));
   ASSERT_FALSE(map);

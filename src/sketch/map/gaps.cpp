@@ -1,10 +1,12 @@
 #include "sketch/map/gaps.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
 #include <optional>
+#include <string>
 
 #include "sketch/map/attach.h"
 #include "sketch/map/closures.h"
@@ -26,6 +28,8 @@ constexpr double kMaxTurn = std::numbers::pi / 3;
 constexpr double kLeastCoverage = 0.65;
 /// Where that is not so, wider gaps are looked for, by this factor again and again.
 constexpr double kWider = 1.5;
+/// A drawing with more free ends than this is fur or hatching: it is not looked at for wide gaps.
+constexpr std::size_t kMostEnds = 400;
 /// Lines that run side by side nearer than this may be meant to touch.
 constexpr double kSlit = 6e-3;
 /// The animal fills at least this share of the drawing's bounds, or its outline is open.
@@ -137,28 +141,53 @@ Diagnostic Describe(const Vector2d& from, const Vector2d& to, const char* code, 
   return At(Warning(code, text), 0.5 * (from + to));
 }
 
-/// Where the outline is open: the widest of the closures that would enclose an animal, however
-/// wide.
-Diagnostic OpenOutline(const PlanarMap& map, const std::vector<ArrangementLine>& lines) {
-  for (const double reach : {0.15, 0.25, 0.4, 0.7}) {
-    const std::vector<Closure> found =
+/// Free ends, inside and outside.
+std::size_t FreeEnds(const PlanarMap& map) {
+  return static_cast<std::size_t>(
+      std::count_if(map.nodes.begin(), map.nodes.end(),
+                    [](const MapNode& node) { return node.outgoing.size() == 1; }));
+}
+
+/// What it would take to enclose an animal: closures of any width, at ever lower prices until some
+/// are worth it.
+std::vector<Closure> MissingClosures(const PlanarMap& map,
+                                     const std::vector<ArrangementLine>& lines) {
+  if (FreeEnds(map) > kMostEnds) return {};
+  constexpr std::array<std::array<double, 2>, 5> kReachAndPrice{
+      {{0.15, 1}, {0.25, 1}, {0.25, 0.25}, {0.4, 0.25}, {0.7, 0.05}}};
+  for (const auto& [reach, price] : kReachAndPrice) {
+    std::vector<Closure> found =
         FindClosures(map, {.reach = reach * map.diagonal, .max_turn = std::numbers::pi});
+    for (Closure& c : found) c.price *= price;
     const auto chosen = ChooseClosures(lines, found, map.diagonal);
     if (!chosen || chosen->empty()) continue;
-    const Closure& widest =
-        found[*std::max_element(chosen->begin(), chosen->end(), [&](std::size_t a, std::size_t b) {
-          return found[a].Length() < found[b].Length();
-        })];
-    char text[200];
-    std::snprintf(text, sizeof text,
-                  "the outline is open between (%.5g, %.5g) and (%.5g, %.5g), %.2g %% of the "
-                  "drawing's size apart; join the ends",
-                  widest.from.x(), widest.from.y(), widest.to.x(), widest.to.y(),
-                  100 * widest.Length() / map.diagonal);
-    return At(Error(FailureKind::kUnderstanding, "outline-open", text), widest.from);
+    std::vector<Closure> missing;
+    for (const std::size_t i : *chosen) missing.push_back(found[i]);
+    return missing;
   }
-  return Error(FailureKind::kUnderstanding, "outline-open",
-               "no line of the drawing encloses an animal; draw its outline closed");
+  return {};
+}
+
+/// Where the outline is open: the widest of the closures that would enclose an animal.
+Diagnostic OpenOutline(const PlanarMap& map, const std::vector<ArrangementLine>& lines) {
+  const std::vector<Closure> missing = MissingClosures(map, lines);
+  if (missing.empty()) {
+    return Error(FailureKind::kUnderstanding, "outline-open",
+                 "no line of the drawing encloses an animal; draw its outline closed");
+  }
+  const Closure& widest =
+      *std::max_element(missing.begin(), missing.end(),
+                        [](const Closure& a, const Closure& b) { return a.Length() < b.Length(); });
+  const std::string where =
+      missing.size() == 1 ? "open"
+                          : "open in " + std::to_string(missing.size()) + " places, the widest";
+  char text[240];
+  std::snprintf(text, sizeof text,
+                "the outline is %s between (%.5g, %.5g) and (%.5g, %.5g), %.2g %% of the drawing's "
+                "size apart; join the ends",
+                where.c_str(), widest.from.x(), widest.from.y(), widest.to.x(), widest.to.y(),
+                100 * widest.Length() / map.diagonal);
+  return At(Error(FailureKind::kUnderstanding, "outline-open", text), widest.from);
 }
 
 /// Draws closures into the map, with a warning for each; their number.
@@ -197,7 +226,9 @@ Outcome<PlanarMap> CloseGaps(PlanarMap map, std::vector<ArrangementLine> lines,
   const double size = work.map.diagonal;
   if (!CloseRound(work, {.reach = options.bridge * size, .max_turn = kMaxTurn}).MoveInto(log))
     return Result::Failure(std::move(log));
-  for (double reach = options.bridge; reach < options.bridge_max && !EnclosesAnimal(work.map);) {
+  const bool crowded = FreeEnds(work.map) > kMostEnds;
+  for (double reach = options.bridge;
+       reach < options.bridge_max && !crowded && !EnclosesAnimal(work.map);) {
     reach = std::min(kWider * reach, options.bridge_max);
     if (!CloseRound(work, {.reach = reach * size, .max_turn = std::numbers::pi}).MoveInto(log))
       return Result::Failure(std::move(log));
