@@ -1,20 +1,25 @@
 #pragma once
 
-#include <openvdb/openvdb.h>
+#include <cstdint>
 
+#include "lascaux/volume/check_mesh.h"
+#include "lascaux/volume/narrow_band.h"
 #include "model.h"
 
 namespace lascaux {
 
 /// A level set in the model frame, millimetres.
 struct Grid {
-  openvdb::FloatGrid::Ptr surface;
+  NarrowBand surface;
 };
 
-/// Measures the grid.
-inline GridFacts FactsOf(const openvdb::FloatGrid& grid) {
-  return {grid.voxelSize()[0], static_cast<std::int64_t>(grid.activeVoxelCount()),
-          static_cast<std::int64_t>(grid.memUsage())};
+/// Measures the level set.
+inline GridFacts FactsOf(const NarrowBand& band) {
+  constexpr std::size_t kBytes = kBlockVoxels * sizeof(float) + sizeof(VoxelMask);
+  return {band.voxel_size, CountActive(band), static_cast<std::int64_t>(kBytes * band.size())};
 }
+
+/// The voxel centres, between which the mesh has its vertices.
+inline Lattice LatticeOf(const NarrowBand& band) { return {band.origin, band.voxel_size}; }
 
 }  // namespace lascaux

@@ -28,7 +28,7 @@ struct Timings {
   double total = 0;  ///< from the first byte read to the last file written, the report left out
 };
 
-/// The level set of a run; grid.h has it, and with it OpenVDB, which takes seconds to compile.
+/// The level set of a run; grid.h has it.
 struct Grid;
 
 /// What the report says of the level set.

@@ -11,7 +11,9 @@
 #include "lascaux/skeleton/normalise_outline.h"
 #include "lascaux/volume/extract_mesh.h"
 #include "lascaux/volume/level_set.h"
+#include "lascaux/volume/narrow_band.h"
 #include "lascaux/volume/render.h"
+#include "run_together.h"
 #include "settle.h"
 #include "stopwatch.h"
 
@@ -96,10 +98,10 @@ class Run {
     const Stopwatch watch(model_.timings, "volume");
     execution_.Report("filling the volume", 0);
     auto grid = std::make_shared<Grid>();
-    if (!Keep(Rasterise(*model_.field, {.voxel_size = options_.VoxelSize()}, execution_),
+    if (!Keep(RasteriseBand(*model_.field, {.voxel_size = options_.VoxelSize()}, execution_),
               grid->surface))
       return false;
-    model_.grid_facts = FactsOf(*grid->surface);
+    model_.grid_facts = FactsOf(grid->surface);
     model_.grid = std::move(grid);
     return true;
   }
@@ -107,22 +109,26 @@ class Run {
   bool MakeMesh() {
     const Stopwatch watch(model_.timings, "mesh");
     execution_.Report("extracting the mesh", 0);
-    if (!Keep(ExtractMesh(*model_.grid->surface, execution_), model_.mesh)) return false;
+    if (!Keep(ExtractMesh(model_.grid->surface, execution_), model_.mesh)) return false;
     StandOnGround(model_);
     return true;
   }
 
   bool Measure() {
-    {
-      const Stopwatch watch(model_.timings, "check");
-      execution_.Report("checking the mesh", 0);
-      model_.facts = CheckMesh(*model_.mesh, execution_);
-    }
-    {
-      const Stopwatch watch(model_.timings, "fidelity");
-      execution_.Report("comparing it with the drawing", 0);
-      model_.fidelity = MeasureFidelity(*model_.mesh, BuiltOutlines(model_), execution_);
-    }
+    execution_.Report("checking the mesh", 0);
+    Timings check, compare;
+    RunTogether(
+        execution_,
+        [&] {
+          const Stopwatch watch(check, "check");
+          model_.facts = CheckMesh(*model_.mesh, LatticeOf(model_.grid->surface), execution_);
+        },
+        [&] {
+          const Stopwatch watch(compare, "fidelity");
+          model_.fidelity = MeasureFidelity(*model_.mesh, BuiltOutlines(model_), execution_);
+        });
+    for (const Timings& timings : {check, compare})
+      model_.timings.stages.push_back(timings.stages.front());
     if (!Continue()) return false;
     const Diagnostics defects = MeshDefects(*model_.facts);
     model_.diagnostics.insert(model_.diagnostics.end(), defects.begin(), defects.end());
@@ -136,10 +142,11 @@ class Run {
     const HeadEnd head = FindHead(model_);
     if (head == HeadEnd::kRight) options.head = Head::kRight;
     if (head == HeadEnd::kLeft) options.head = Head::kLeft;
+    const auto level_set = ToLevelSet(model_.grid->surface, execution_);
     std::vector<Picture> pictures;
     for (const View view : options_.preview.views) {
       options.view = view;
-      if (!Keep(Render(*model_.grid->surface, options, execution_), pictures.emplace_back())) {
+      if (!Keep(Render(*level_set, options, execution_), pictures.emplace_back())) {
         return false;
       }
     }

@@ -14,8 +14,7 @@ void StandOnGround(Model& model) {
   for (const Eigen::Vector3f& vertex : model.mesh->vertices) lowest = std::min(lowest, vertex.y());
   if (model.mesh->vertices.empty()) return;
   for (Eigen::Vector3f& vertex : model.mesh->vertices) vertex.y() -= lowest;
-  model.grid->surface->transform().postTranslate(
-      openvdb::Vec3d(0, -static_cast<double>(lowest), 0));
+  model.grid->surface.origin.y() -= static_cast<double>(lowest);
   model.frame->shift.y() -= static_cast<double>(lowest);
 }
 

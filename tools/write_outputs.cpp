@@ -9,6 +9,7 @@
 #include "lascaux/io/write_ply.h"
 #include "lascaux/io/write_stl.h"
 #include "lascaux/io/write_vdb.h"
+#include "lascaux/volume/level_set.h"
 #include "parse_dump.h"
 #include "parse_picture.h"
 #include "picture_file.h"
@@ -21,7 +22,7 @@ Diagnostics Write(const Model& model, OutputKind kind, const std::filesystem::pa
                   const WriteOptions& options, const Execution& execution) {
   switch (kind) {
     case OutputKind::kVdb:
-      return WriteVdb(path, *model.grid->surface,
+      return WriteVdb(path, *ToLevelSet(model.grid->surface, execution),
                       {.unit = options.unit, .metadata = options.metadata}, execution);
     case OutputKind::kStl:
       return WriteStl(path, *model.mesh);

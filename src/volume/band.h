@@ -1,7 +1,6 @@
 #pragma once
 
-#include <openvdb/openvdb.h>
-
+#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -9,6 +8,7 @@
 
 #include "lascaux/base/execution.h"
 #include "lascaux/field/compiled_field.h"
+#include "volume/block_map.h"
 #include "volume/find_blocks.h"
 
 /// @file
@@ -17,22 +17,16 @@
 
 namespace lascaux {
 
-inline constexpr std::size_t kBlockVoxels = 512;
-inline constexpr std::int32_t kNoBlock = -1;
-
 /// Larger than any distance that matters, in voxels.
 inline constexpr float kFar = 16;
 
 /// As far as distances are computed: the band, and what the scheme may err there.
 inline constexpr float kSweepVoxels = 3.25F;
 
-/// One bit a voxel, one word for each x: bit 8 y + z.
-using VoxelMask = std::array<std::uint64_t, 8>;
-
 /// Blocks, with their values.
 struct Band {
   bool upper_half = false;  ///< values at -z are those at z, and no block has z < 0
-  std::vector<openvdb::Coord> origins;
+  std::vector<Eigen::Vector3i> origins;
   std::vector<std::array<std::int32_t, 6>> neighbours;  ///< at -x, +x, -y, +y, -z, +z, or kNoBlock
   std::vector<VoxelMask> inside;                        ///< F > 1
   std::vector<float> distance;                          ///< in voxels, >= 0, kBlockVoxels a block

@@ -12,8 +12,11 @@
 #include <vector>
 
 #include "volume/arena.h"
+#include "volume/corner_table.h"
 #include "volume/edges.h"
 #include "volume/exact_predicates.h"
+#include "volume/lattice_proof.h"
+#include "volume/mesh_measures.h"
 #include "volume/self_intersections.h"
 #include "volume/union_find.h"
 
@@ -85,29 +88,36 @@ Topology MeasureTopology(const Mesh& mesh) {
   return topology;
 }
 
-/// Volume and area, with the volume of each vertex's component at its root.
-struct Measures {
-  double volume = 0, area = 0;
-  std::vector<double> volume_at;
-};
-
-Measures MeasureVolume(const Mesh& mesh, const std::vector<std::uint32_t>& root) {
-  Measures measures;
-  measures.volume_at.assign(mesh.vertices.size(), 0);
-  Eigen::AlignedBox3d box;
-  for (const Vector3f& v : mesh.vertices) box.extend(v.cast<double>());
-  // Seen from the middle, the tetrahedra that add up to the volume are small.
-  const Vector3d middle = box.center();
-  for (const auto& t : mesh.triangles) {
-    const Vector3d a = mesh.vertices[t[0]].cast<double>() - middle;
-    const Vector3d b = mesh.vertices[t[1]].cast<double>() - middle;
-    const Vector3d c = mesh.vertices[t[2]].cast<double>() - middle;
-    const double volume = a.dot(b.cross(c)) / 6;
-    measures.volume += volume;
-    measures.volume_at[root[t[0]]] += volume;
-    measures.area += (b - a).cross(c - a).norm() / 2;
+/// The same for a mesh with closed fans only.
+Topology TopologyOfClosedFans(const Mesh& mesh) {
+  Topology topology;
+  topology.closed = topology.manifold = topology.consistent = true;
+  UnionFind pieces(mesh.vertices.size());
+  tbb::parallel_for(std::size_t{0}, mesh.triangles.size(), [&](std::size_t t) {
+    const auto& corners = mesh.triangles[t];
+    pieces.Join(corners[0], corners[1]);
+    pieces.Join(corners[0], corners[2]);
+  });
+  topology.root.resize(mesh.vertices.size());
+  for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+    topology.root[v] = pieces.Root(v);
+    topology.components += topology.root[v] == v ? 1 : 0;
   }
-  return measures;
+  if (topology.components == 1) {
+    const auto vertices = static_cast<std::int64_t>(mesh.vertices.size());
+    const std::int64_t euler = vertices - static_cast<std::int64_t>(mesh.triangles.size()) / 2;
+    topology.genus = static_cast<int>((2 - euler) / 2);
+  }
+  return topology;
+}
+
+bool AreComponentsOutward(const Mesh& mesh, const Topology& topology) {
+  std::vector<double> volume_at(mesh.vertices.size(), 0);
+  const Vector3d middle = MiddleOf(mesh);
+  for (const auto& t : mesh.triangles)
+    volume_at[topology.root[t[0]]] += SixVolumes(mesh, t, middle);
+  return std::all_of(mesh.triangles.begin(), mesh.triangles.end(),
+                     [&](const auto& t) { return volume_at[topology.root[t[0]]] > 0; });
 }
 
 bool HasArea(const Mesh& mesh, const std::array<std::uint32_t, 3>& t) {
@@ -119,14 +129,14 @@ bool HasArea(const Mesh& mesh, const std::array<std::uint32_t, 3>& t) {
   return !AreCollinear(p);
 }
 
-std::vector<std::uint32_t> TrianglesWithArea(const Mesh& mesh) {
-  std::vector<std::uint8_t> good(mesh.triangles.size());
-  tbb::parallel_for(std::size_t{0}, good.size(),
-                    [&](std::size_t t) { good[t] = HasArea(mesh, mesh.triangles[t]) ? 1 : 0; });
+std::vector<std::uint32_t> WithArea(const Mesh& mesh, const std::vector<std::uint32_t>& of) {
+  std::vector<std::uint8_t> good(of.size());
+  tbb::parallel_for(std::size_t{0}, of.size(),
+                    [&](std::size_t i) { good[i] = HasArea(mesh, mesh.triangles[of[i]]) ? 1 : 0; });
   std::vector<std::uint32_t> result;
-  result.reserve(good.size());
-  for (std::uint32_t t = 0; t < good.size(); ++t) {
-    if (good[t] != 0) result.push_back(t);
+  result.reserve(of.size());
+  for (std::size_t i = 0; i < of.size(); ++i) {
+    if (good[i] != 0) result.push_back(of[i]);
   }
   return result;
 }
@@ -163,37 +173,77 @@ bool MeshFacts::IsPrintable() const noexcept {
          invalid == 0 && self_intersections.value_or(0) == 0;
 }
 
+namespace {
+
+/// A check, with what is known of the mesh beforehand.
+class Check {
+ public:
+  Check(const Mesh& mesh, const std::optional<Lattice>& lattice, const Execution& execution)
+      : mesh_(mesh), lattice_(lattice), execution_(execution) {}
+
+  MeshFacts Run() {
+    facts_.vertices = static_cast<std::int64_t>(mesh_.vertices.size());
+    facts_.triangles = static_cast<std::int64_t>(mesh_.triangles.size());
+    facts_.invalid = CountInvalid(mesh_);
+    // Nothing can be said of a mesh that points nowhere, and a slicer takes none of it.
+    if (facts_.invalid > 0) return facts_;
+    RunInArena(execution_, [this] {
+      const CornerTable corners(mesh_);
+      const bool fans = !mesh_.triangles.empty() && HasClosedFansOnly(mesh_, corners);
+      tbb::parallel_invoke([&] { CheckTopology(fans); },
+                           [&] { fans&& lattice_ ? CheckDual(corners) : CheckPlaces(); });
+    });
+    return facts_;
+  }
+
+ private:
+  void CheckTopology(bool fans) {
+    const Topology found = fans ? TopologyOfClosedFans(mesh_) : MeasureTopology(mesh_);
+    facts_.closed = found.closed;
+    facts_.manifold = found.manifold;
+    facts_.components = found.components;
+    facts_.genus = found.genus;
+    const MeshMeasures measures = MeasureTriangles(mesh_);
+    facts_.volume = measures.volume;
+    facts_.area = measures.area;
+    facts_.oriented =
+        found.consistent &&
+        (found.components == 1 ? measures.volume > 0 : AreComponentsOutward(mesh_, found));
+  }
+
+  void CheckDual(const CornerTable& corners) {
+    const LatticeProof proof = ProveByLattice(mesh_, corners, *lattice_);
+    facts_.coincident = proof.coincident;
+    CountIntersections(proof.doubtful);
+  }
+
+  void CheckPlaces() {
+    std::vector<std::uint32_t> all(mesh_.triangles.size());
+    std::iota(all.begin(), all.end(), std::uint32_t{0});
+    tbb::parallel_invoke([&] { facts_.coincident = CountCoincident(mesh_.vertices); },
+                         [&] { CountIntersections(all); });
+  }
+
+  void CountIntersections(const std::vector<std::uint32_t>& of) {
+    const std::vector<std::uint32_t> solid = WithArea(mesh_, of);
+    facts_.degenerate = static_cast<std::int64_t>(of.size() - solid.size());
+    facts_.self_intersections = CountSelfIntersections(mesh_, solid, execution_);
+  }
+
+  const Mesh& mesh_;
+  const std::optional<Lattice>& lattice_;
+  const Execution& execution_;
+  MeshFacts facts_;
+};
+
+}  // namespace
+
 MeshFacts CheckMesh(const Mesh& mesh, const Execution& execution) {
-  MeshFacts facts;
-  facts.vertices = static_cast<std::int64_t>(mesh.vertices.size());
-  facts.triangles = static_cast<std::int64_t>(mesh.triangles.size());
-  facts.invalid = CountInvalid(mesh);
-  // Nothing can be said of a mesh that points nowhere, and a slicer takes none of it.
-  if (facts.invalid > 0) return facts;
-  RunInArena(execution, [&] {
-    const auto geometry = [&] {
-      const std::vector<std::uint32_t> solid = TrianglesWithArea(mesh);
-      facts.degenerate = facts.triangles - static_cast<std::int64_t>(solid.size());
-      facts.self_intersections = CountSelfIntersections(mesh, solid, execution);
-    };
-    const auto topology = [&] {
-      const Topology found = MeasureTopology(mesh);
-      const Measures measures = MeasureVolume(mesh, found.root);
-      facts.closed = found.closed;
-      facts.manifold = found.manifold;
-      facts.components = found.components;
-      facts.genus = found.genus;
-      facts.volume = measures.volume;
-      facts.area = measures.area;
-      facts.oriented = found.consistent;
-      for (const auto& t : mesh.triangles) {
-        facts.oriented = facts.oriented && measures.volume_at[found.root[t[0]]] > 0;
-      }
-    };
-    tbb::parallel_invoke(topology, geometry,
-                         [&] { facts.coincident = CountCoincident(mesh.vertices); });
-  });
-  return facts;
+  return Check(mesh, std::nullopt, execution).Run();
+}
+
+MeshFacts CheckMesh(const Mesh& mesh, const Lattice& lattice, const Execution& execution) {
+  return Check(mesh, lattice, execution).Run();
 }
 
 Diagnostics MeshDefects(const MeshFacts& facts) {

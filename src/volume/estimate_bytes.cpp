@@ -3,7 +3,7 @@
 #include <limits>
 #include <numbers>
 
-#include "lascaux/volume/level_set.h"
+#include "lascaux/volume/narrow_band.h"
 
 namespace lascaux {
 namespace {

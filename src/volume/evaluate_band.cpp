@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
-#include <unordered_map>
 
 #include "volume/band.h"
 #include "volume/block_samples.h"
@@ -88,20 +87,15 @@ Band EvaluateBand(const BandSource& source, const Execution& execution) {
 }
 
 void ConnectBlocks(Band& band) {
-  std::unordered_map<openvdb::Coord, std::int32_t> index;
-  index.reserve(band.size());
-  for (std::size_t b = 0; b < band.size(); ++b) {
-    index.emplace(band.origins[b], static_cast<std::int32_t>(b));
-  }
+  const BlockMap map(band.origins);
   band.neighbours.resize(band.size());
-  for (std::size_t b = 0; b < band.size(); ++b) {
+  tbb::parallel_for(std::size_t{0}, band.size(), [&](std::size_t b) {
     for (std::size_t side = 0; side < 6; ++side) {
-      openvdb::Coord origin = band.origins[b];
-      origin[side / 2] += side % 2 == 0 ? -kBlockSide : kBlockSide;
-      const auto found = index.find(origin);
-      band.neighbours[b][side] = found == index.end() ? kNoBlock : found->second;
+      Eigen::Vector3i origin = band.origins[b];
+      origin[static_cast<int>(side / 2)] += side % 2 == 0 ? -kBlockSide : kBlockSide;
+      band.neighbours[b][side] = map.Find(origin);
     }
-  }
+  });
 }
 
 std::vector<VoxelMask> FindCrossings(const Band& band) {

@@ -10,7 +10,7 @@
 namespace lascaux {
 namespace {
 
-using openvdb::Coord;
+using Eigen::Vector3i;
 
 constexpr int kRootSide = 64;
 
@@ -19,7 +19,7 @@ class Descent {
  public:
   Descent(const CompiledField& field, const BlockSearch& search) : field_(field), search_(search) {}
 
-  FoundBlocks Run(const Coord& root, const ActiveSet& all) {
+  FoundBlocks Run(const Vector3i& root, const ActiveSet& all) {
     found_ = {};
     Visit({root, kRootSide}, all, 0);
     return std::move(found_);
@@ -41,9 +41,8 @@ class Descent {
       } else {
         const int side = cube.side / 2;
         for (int child = 0; child < 8; ++child) {
-          const Coord shift(child >> 2 & 1, child >> 1 & 1, child & 1);
-          Visit({cube.origin + Coord(side * shift.x(), side * shift.y(), side * shift.z()), side},
-                found.active, level + 1);
+          const Vector3i shift(child >> 2 & 1, child >> 1 & 1, child & 1);
+          Visit({cube.origin + side * shift, side}, found.active, level + 1);
         }
       }
     }
@@ -63,7 +62,7 @@ int RootIndex(double voxel) { return static_cast<int>(std::floor(voxel / kRootSi
 FoundBlocks FindBlocks(const CompiledField& field, const BlockSearch& search,
                        const Execution& execution) {
   const Eigen::AlignedBox3d& box = field.bounds();
-  std::vector<Coord> roots;
+  std::vector<Vector3i> roots;
   if (!box.isEmpty()) {
     std::array<int, 3> low{}, high{};
     for (int axis = 0; axis < 3; ++axis) {

@@ -1,27 +1,18 @@
 #pragma once
 
-#include <openvdb/openvdb.h>
-
+#include <Eigen/Core>
 #include <cstdint>
 #include <vector>
 
 #include "lascaux/base/execution.h"
 #include "lascaux/field/compiled_field.h"
+#include "lascaux/volume/narrow_band.h"
 
 namespace lascaux {
 
-/// Voxels along a block's side: a leaf of OpenVDB's tree.
-inline constexpr int kBlockSide = 8;
-
-/// A cube of voxels without surface.
-struct Cube {
-  openvdb::Coord origin;
-  int side;
-};
-
 /// A leaf's worth of voxels that may be near the surface, with what matters there.
 struct Block {
-  openvdb::Coord origin;
+  Eigen::Vector3i origin;
   ActiveSet active;
 };
 

@@ -1,109 +1,145 @@
 #include "lascaux/volume/level_set.h"
 
-#include <fmt/format.h>
+#include <openvdb/tree/LeafManager.h>
+#include <tbb/parallel_for.h>
 
-#include <new>
-#include <optional>
-#include <vector>
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <utility>
 
-#include "lascaux/field/compiled_field.h"
+#include "lascaux/volume/extract_mesh.h"
 #include "volume/arena.h"
-#include "volume/available_memory.h"
-#include "volume/band.h"
-#include "volume/find_blocks.h"
-#include "volume/mirror.h"
-#include "volume/write_grid.h"
 
 namespace lascaux {
 namespace {
 
-// Half a voxel more than the band, for the neighbours that finding crossings looks at.
-constexpr double kSearchMargin = kBandVoxels + 0.5;
+using openvdb::Coord;
+using Tree = openvdb::FloatTree;
+using Leaf = Tree::LeafNodeType;
 
-Diagnostic Cancelled() {
-  return Error(FailureKind::kInterrupted, "cancelled", "the run was stopped");
+Coord ToCoord(const Eigen::Vector3i& voxel) { return {voxel.x(), voxel.y(), voxel.z()}; }
+
+std::unique_ptr<Leaf> MakeLeaf(const NarrowBand& band, std::size_t block) {
+  auto leaf = std::make_unique<Leaf>(ToCoord(band.blocks[block]), band.background);
+  std::copy_n(band.values.data() + kBlockVoxels * block, kBlockVoxels, leaf->buffer().data());
+  Leaf::NodeMaskType mask;
+  for (openvdb::Index n = 0; n < 8; ++n) mask.getWord<std::uint64_t>(n) = band.active[block][n];
+  leaf->setValueMask(mask);
+  return leaf;
 }
 
-Diagnostic OutOfMemory(std::size_t estimate, std::size_t available) {
-  return Error(
-      FailureKind::kUsage, "out-of-memory",
-      fmt::format("a grid this fine takes about {:.3g} MB, and {:.3g} MB are available: "
-                  "ask for larger voxels",
-                  1e-6 * static_cast<double>(estimate), 1e-6 * static_cast<double>(available)));
-}
-
-Diagnostic EmptyField() {
-  return Error(FailureKind::kUnderstanding, "empty-field",
-               "no voxel is inside the body: it is empty, or thinner than a voxel everywhere");
-}
-
-/// What is wrong with the size of the voxels for this field.
-std::optional<Diagnostic> CheckVoxelSize(const Field& field, double voxel_size) {
-  const auto bad = [](std::string message) {
-    return Error(FailureKind::kUsage, "bad-voxel-size", std::move(message));
-  };
-  if (!(voxel_size >= kLeastVoxelSize && voxel_size <= kLargestVoxelSize)) {
-    return bad(fmt::format("voxels of {:.6g} are asked for; {:.6g} to {:.6g} is possible",
-                           voxel_size, kLeastVoxelSize, kLargestVoxelSize));
+void AddTiles(Tree& tree, const Cube& cube) {
+  constexpr openvdb::Index kLeafLevel = 1;  // a tile of a leaf's size
+  for (int x = 0; x < cube.side; x += kBlockSide) {
+    for (int y = 0; y < cube.side; y += kBlockSide) {
+      for (int z = 0; z < cube.side; z += kBlockSide) {
+        tree.addTile(kLeafLevel, ToCoord(cube.origin).offsetBy(x, y, z), -tree.background(), false);
+      }
+    }
   }
-  const Eigen::AlignedBox3d box = Bounds(field);
-  if (box.isEmpty()) return std::nullopt;
-  const double farthest =
-      box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff() / voxel_size;
-  if (farthest <= kFarthestVoxel) return std::nullopt;
-  return bad(
-      fmt::format("the body reaches {:.6g} voxels of {:.6g} from the origin; {} are possible: "
-                  "ask for larger voxels",
-                  farthest, voxel_size, kFarthestVoxel));
 }
 
-Outcome<openvdb::FloatGrid::Ptr> Fill(const Field& field, double voxel_size,
-                                      const Execution& execution) {
-  using Result = Outcome<openvdb::FloatGrid::Ptr>;
-  const CompiledField compiled(field);
-  BlockSearch search;
-  search.voxel_size = voxel_size;
-  search.margin = kSearchMargin;
-  search.upper_half = IsMirrorSymmetric(field);
-  const FoundBlocks found = FindBlocks(compiled, search, execution);
+/// Does the block beyond `step` touch a voxel of the leaf that is not on its side?
+bool TouchesOtherSide(const Leaf& leaf, const Coord& step, bool is_inside) {
+  const auto range = [](int s) {
+    return s < 0 ? std::pair(0, 1) : s > 0 ? std::pair(7, 8) : std::pair(0, 8);
+  };
+  const auto [x0, x1] = range(step.x());
+  const auto [y0, y1] = range(step.y());
+  const auto [z0, z1] = range(step.z());
+  for (int x = x0; x < x1; ++x) {
+    for (int y = y0; y < y1; ++y) {
+      for (int z = z0; z < z1; ++z) {
+        if ((leaf.getValue(static_cast<openvdb::Index>(64 * x + 8 * y + z)) < 0) != is_inside)
+          return true;
+      }
+    }
+  }
+  return false;
+}
 
-  const BandSource source = {compiled, found.blocks, voxel_size};
-  Band band = EvaluateBand(source, execution);
-  if (execution.IsCancelled()) return Result::Failure(Cancelled());
-  band.upper_half = search.upper_half;
-  ConnectBlocks(band);
-  const std::vector<VoxelMask> crossings = FindCrossings(band);
-  bool is_empty = true;
-  for (const VoxelMask& mask : crossings) is_empty = is_empty && mask == VoxelMask{};
-  if (is_empty) return Result::Failure(EmptyField());
-
-  SweepDistances(band, crossings, compiled.isa(), execution);
-  RefineDistances(source, crossings, band, execution);
-  if (execution.IsCancelled()) return Result::Failure(Cancelled());
-  return WriteGrid(band, found.inside, voxel_size);
+/// Tiles beside leaves with another sign, as blocks: where they are, and their value.
+std::map<Coord, float> TilesAtSurface(const Tree& tree) {
+  std::map<Coord, float> found;
+  const openvdb::tree::ValueAccessor<const Tree> values(tree);
+  for (auto leaf = tree.cbeginLeaf(); leaf; ++leaf) {
+    for (int side = 0; side < 27; ++side) {
+      const Coord step(side / 9 - 1, side / 3 % 3 - 1, side % 3 - 1);
+      const Coord origin = leaf->origin().offsetBy(kBlockSide * step.x(), kBlockSide * step.y(),
+                                                   kBlockSide * step.z());
+      if (values.probeConstLeaf(origin) != nullptr) continue;
+      const float value = values.getValue(origin);
+      if (TouchesOtherSide(*leaf, step, value < 0)) found.emplace(origin, value);
+    }
+  }
+  return found;
 }
 
 }  // namespace
 
+openvdb::FloatGrid::Ptr ToLevelSet(const NarrowBand& band, const Execution& execution) {
+  auto grid = openvdb::FloatGrid::create(band.background);
+  const auto transform = openvdb::math::Transform::createLinearTransform(band.voxel_size);
+  transform->postTranslate({band.origin.x(), band.origin.y(), band.origin.z()});
+  grid->setTransform(transform);
+  grid->setGridClass(openvdb::GRID_LEVEL_SET);
+  grid->setName("surface");
+
+  std::vector<std::unique_ptr<Leaf>> leaves(band.size());
+  RunInArena(execution, [&] {
+    tbb::parallel_for(std::size_t{0}, band.size(),
+                      [&](std::size_t b) { leaves[b] = MakeLeaf(band, b); });
+  });
+  // Tiles first: the image of a cube is one voxel off the leaves, and where a leaf is needed it
+  // wins.
+  Tree& tree = grid->tree();
+  for (const Cube& cube : band.inside) AddTiles(tree, cube);
+  for (std::unique_ptr<Leaf>& leaf : leaves) tree.addLeaf(leaf.release());
+  return grid;
+}
+
+NarrowBand ToNarrowBand(const openvdb::FloatGrid& grid, const Execution& execution) {
+  NarrowBand band;
+  band.voxel_size = grid.voxelSize().x();
+  const openvdb::Vec3d origin = grid.indexToWorld(openvdb::Vec3d(0, 0, 0));
+  band.origin = {origin.x(), origin.y(), origin.z()};
+  band.background = grid.background();
+  std::vector<const Leaf*> leaves;
+  grid.tree().getNodes(leaves);
+  const std::map<Coord, float> tiles = TilesAtSurface(grid.tree());
+  const auto add = [&band](const Coord& at) { band.blocks.emplace_back(at.x(), at.y(), at.z()); };
+  for (const Leaf* const leaf : leaves) add(leaf->origin());
+  for (const auto& [at, value] : tiles) add(at);
+  band.values.reserve(kBlockVoxels * band.size());
+  band.values.resize(kBlockVoxels * leaves.size());
+  for (const auto& [at, value] : tiles) band.values.insert(band.values.end(), kBlockVoxels, value);
+  band.active.resize(band.size());
+  RunInArena(execution, [&] {
+    tbb::parallel_for(std::size_t{0}, leaves.size(), [&](std::size_t b) {
+      std::copy_n(leaves[b]->buffer().data(), kBlockVoxels, band.values.data() + kBlockVoxels * b);
+      for (openvdb::Index n = 0; n < 8; ++n)
+        band.active[b][n] = leaves[b]->valueMask().getWord<std::uint64_t>(n);
+    });
+  });
+  for (auto tile = grid.cbeginValueOff(); tile; ++tile) {
+    if (tile.isVoxelValue() || !(*tile < 0)) continue;
+    const openvdb::CoordBBox box = tile.getBoundingBox();
+    band.inside.push_back({{box.min().x(), box.min().y(), box.min().z()}, box.dim().x()});
+  }
+  return band;
+}
+
 Outcome<openvdb::FloatGrid::Ptr> Rasterise(const Field& field, const RasteriseOptions& options,
                                            const Execution& execution) {
-  using Result = Outcome<openvdb::FloatGrid::Ptr>;
-  if (Diagnostics wrong = Validate(field); HasError(wrong)) {
-    return Result::Failure(std::move(wrong));
-  }
-  if (auto wrong = CheckVoxelSize(field, options.voxel_size)) {
-    return Result::Failure(std::move(*wrong));
-  }
-  if (execution.IsCancelled()) return Result::Failure(Cancelled());
-  const std::size_t estimate = EstimateBytes(field, options), available = AvailableMemory();
-  if (estimate > available) return Result::Failure(OutOfMemory(estimate, available));
-  try {
-    std::optional<Result> result;
-    RunInArena(execution, [&] { result = Fill(field, options.voxel_size, execution); });
-    return std::move(*result);
-  } catch (const std::bad_alloc&) {
-    return Result::Failure(OutOfMemory(estimate, available));
-  }
+  Diagnostics found;
+  const auto band = RasteriseBand(field, options, execution).MoveInto(found);
+  if (!band) return Outcome<openvdb::FloatGrid::Ptr>::Failure(std::move(found));
+  return {ToLevelSet(*band, execution), std::move(found)};
+}
+
+Outcome<Mesh> ExtractMesh(const openvdb::FloatGrid& grid, const Execution& execution) {
+  return ExtractMesh(ToNarrowBand(grid, execution), execution);
 }
 
 }  // namespace lascaux

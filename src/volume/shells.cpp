@@ -1,6 +1,7 @@
 #include "volume/shells.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -8,12 +9,11 @@
 #include <limits>
 #include <vector>
 
+#include "volume/mesh_measures.h"
 #include "volume/union_find.h"
 
 namespace lascaux {
 namespace {
-
-using Eigen::Vector3d;
 
 constexpr std::size_t kSingleWarnings = 10;
 constexpr std::uint32_t kRemoved = std::numeric_limits<std::uint32_t>::max();
@@ -31,10 +31,11 @@ struct Shells {
 
 Shells FindShells(const Mesh& mesh) {
   UnionFind sets(mesh.vertices.size());
-  for (const auto& t : mesh.triangles) {
+  tbb::parallel_for(std::size_t{0}, mesh.triangles.size(), [&](std::size_t i) {
+    const auto& t = mesh.triangles[i];
     sets.Join(t[0], t[1]);
     sets.Join(t[0], t[2]);
-  }
+  });
   Shells found;
   found.of.resize(mesh.vertices.size());
   for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
@@ -47,13 +48,13 @@ Shells FindShells(const Mesh& mesh) {
     }
     found.shells[found.of[v]].box.extend(mesh.vertices[v]);
   }
+  if (found.shells.size() == 1) {
+    found.shells.front().volume = MeasureTriangles(mesh).volume;
+    return found;
+  }
   for (const auto& t : mesh.triangles) {
     Shell& shell = found.shells[found.of[t[0]]];
-    const Vector3d origin = shell.box.center().cast<double>();
-    const Vector3d a = mesh.vertices[t[0]].cast<double>() - origin;
-    const Vector3d b = mesh.vertices[t[1]].cast<double>() - origin;
-    const Vector3d c = mesh.vertices[t[2]].cast<double>() - origin;
-    shell.volume += a.dot(b.cross(c)) / 6;
+    shell.volume += SixVolumes(mesh, t, shell.box.center().cast<double>()) / 6;
   }
   return found;
 }

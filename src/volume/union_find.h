@@ -1,37 +1,49 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace lascaux {
 
 /// Disjoint sets of 0 .. n-1. The smallest member is a set's root, so the result does not depend on
-/// the order.
+/// the order, nor on how many threads join and ask at once.
 class UnionFind {
  public:
   explicit UnionFind(std::size_t n) : parent_(n) {
-    std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
+    for (std::size_t i = 0; i < n; ++i)
+      parent_[i].store(static_cast<std::uint32_t>(i), std::memory_order_relaxed);
   }
 
   std::uint32_t Root(std::uint32_t i) noexcept {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    for (std::uint32_t above = Parent(i); above != i; above = Parent(i)) {
+      // Halves the way for those who come later; a parent is never above its child.
+      const std::uint32_t next = Parent(above);
+      if (next != above) parent_[i].store(next, std::memory_order_relaxed);
+      i = next;
+    }
     return i;
   }
 
   void Join(std::uint32_t a, std::uint32_t b) noexcept {
-    a = Root(a);
-    b = Root(b);
-    if (a < b) {
-      parent_[b] = a;
-    } else {
-      parent_[a] = b;
+    for (;;) {
+      a = Root(a);
+      b = Root(b);
+      if (a == b) return;
+      if (a < b) std::swap(a, b);
+      std::uint32_t expected = a;  // still a root?
+      if (parent_[a].compare_exchange_weak(expected, b, std::memory_order_relaxed)) return;
     }
   }
 
  private:
-  std::vector<std::uint32_t> parent_;
+  std::uint32_t Parent(std::uint32_t i) const noexcept {
+    return parent_[i].load(std::memory_order_relaxed);
+  }
+
+  std::vector<std::atomic<std::uint32_t>> parent_;
 };
 
 }  // namespace lascaux

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "grid.h"
+#include "lascaux/volume/level_set.h"
 #include "run_pipeline.h"
 
 /// The grids of all examples by OpenVDB's own check: with every drawing's crotches and creases.
@@ -28,7 +29,8 @@ TEST(ExampleLevelSets, PassOpenVdbsCheckButForAThousandthOfTheirSlopes) {
     const std::string name = entry.path().stem().string();
     const Model model = RunPipeline(BytesOf(entry.path()), {});
     ASSERT_TRUE(model.grid) << name;
-    const openvdb::FloatGrid& grid = *model.grid->surface;
+    const auto level_set = ToLevelSet(model.grid->surface);
+    const openvdb::FloatGrid& grid = *level_set;
     EXPECT_EQ(openvdb::tools::checkLevelSet(grid, 8), "") << name;
     openvdb::tools::CheckLevelSet<openvdb::FloatGrid> check(grid);
     check.checkEikonal(true);

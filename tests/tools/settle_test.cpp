@@ -14,14 +14,13 @@ TEST(StandOnGround, MovesMeshGridAndFrameAlike) {
   Model model = SampleModel();
   model.mesh = Mesh{{{0, -1.25f, 0}, {1, 3, 0}, {0, 0, 1}}, {{0, 1, 2}}};
   model.grid = std::make_shared<Grid>();
-  model.grid->surface = openvdb::FloatGrid::create();
   const Eigen::Vector2d before = model.frame->ToModel({1, 1});
   StandOnGround(model);
   EXPECT_EQ(model.mesh->vertices[0].y(), 0);
   EXPECT_FLOAT_EQ(model.mesh->vertices[1].y(), 4.25f);
   EXPECT_DOUBLE_EQ(model.frame->ToModel({1, 1}).y(), before.y() + 1.25);
   EXPECT_DOUBLE_EQ(model.frame->ToModel({1, 1}).x(), before.x());
-  EXPECT_DOUBLE_EQ(model.grid->surface->indexToWorld(openvdb::Vec3d(0, 0, 0)).y(), 1.25);
+  EXPECT_DOUBLE_EQ(model.grid->surface.origin.y(), 1.25);
 }
 
 TEST(BuiltOutlines, LeaveOutFarAndIgnoredParts) {

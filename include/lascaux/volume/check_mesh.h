@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <optional>
 
@@ -43,6 +44,20 @@ struct MeshFacts {
 
 /// Measures a mesh. About 0.3 microseconds a triangle on two cores for evenly sized triangles.
 MeshFacts CheckMesh(const Mesh& mesh, const Execution& execution = {});
+
+/// Cells of equal size, between the planes at origin + i size along each axis.
+struct Lattice {
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  double size = 1;
+};
+
+/// The same facts, found sooner for a mesh that has one vertex in most cells of the lattice and
+/// consecutive triangles for each edge of it that the surface crosses, as ExtractMesh makes it.
+///
+/// That no triangle runs through another is proven from where the vertices are in their cells, and
+/// tested triangle by triangle only where that fails: about 0.05 microseconds a triangle on two
+/// cores.
+MeshFacts CheckMesh(const Mesh& mesh, const Lattice& lattice, const Execution& execution = {});
 
 /// What keeps a mesh from being printed: one error (FailureKind::kMesh) for each defect, with its
 /// number; empty for a printable mesh.

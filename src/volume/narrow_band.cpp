@@ -1,0 +1,117 @@
+#include "lascaux/volume/narrow_band.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <new>
+#include <optional>
+#include <vector>
+
+#include "lascaux/field/compiled_field.h"
+#include "volume/arena.h"
+#include "volume/available_memory.h"
+#include "volume/band.h"
+#include "volume/find_blocks.h"
+#include "volume/finish_band.h"
+#include "volume/mirror.h"
+
+namespace lascaux {
+namespace {
+
+// Half a voxel more than the band, for the neighbours that finding crossings looks at.
+constexpr double kSearchMargin = kBandVoxels + 0.5;
+
+Diagnostic Cancelled() {
+  return Error(FailureKind::kInterrupted, "cancelled", "the run was stopped");
+}
+
+Diagnostic OutOfMemory(std::size_t estimate, std::size_t available) {
+  return Error(
+      FailureKind::kUsage, "out-of-memory",
+      fmt::format("a grid this fine takes about {:.3g} MB, and {:.3g} MB are available: "
+                  "ask for larger voxels",
+                  1e-6 * static_cast<double>(estimate), 1e-6 * static_cast<double>(available)));
+}
+
+Diagnostic EmptyField() {
+  return Error(FailureKind::kUnderstanding, "empty-field",
+               "no voxel is inside the body: it is empty, or thinner than a voxel everywhere");
+}
+
+/// What is wrong with the size of the voxels for this field.
+std::optional<Diagnostic> CheckVoxelSize(const Field& field, double voxel_size) {
+  const auto bad = [](std::string message) {
+    return Error(FailureKind::kUsage, "bad-voxel-size", std::move(message));
+  };
+  if (!(voxel_size >= kLeastVoxelSize && voxel_size <= kLargestVoxelSize)) {
+    return bad(fmt::format("voxels of {:.6g} are asked for; {:.6g} to {:.6g} is possible",
+                           voxel_size, kLeastVoxelSize, kLargestVoxelSize));
+  }
+  const Eigen::AlignedBox3d box = Bounds(field);
+  if (box.isEmpty()) return std::nullopt;
+  const double farthest =
+      box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff() / voxel_size;
+  if (farthest <= kFarthestVoxel) return std::nullopt;
+  return bad(
+      fmt::format("the body reaches {:.6g} voxels of {:.6g} from the origin; {} are possible: "
+                  "ask for larger voxels",
+                  farthest, voxel_size, kFarthestVoxel));
+}
+
+Outcome<NarrowBand> Fill(const Field& field, double voxel_size, const Execution& execution) {
+  using Result = Outcome<NarrowBand>;
+  const CompiledField compiled(field);
+  BlockSearch search;
+  search.voxel_size = voxel_size;
+  search.margin = kSearchMargin;
+  search.upper_half = IsMirrorSymmetric(field);
+  const FoundBlocks found = FindBlocks(compiled, search, execution);
+
+  const BandSource source = {compiled, found.blocks, voxel_size};
+  Band band = EvaluateBand(source, execution);
+  if (execution.IsCancelled()) return Result::Failure(Cancelled());
+  band.upper_half = search.upper_half;
+  ConnectBlocks(band);
+  const std::vector<VoxelMask> crossings = FindCrossings(band);
+  bool is_empty = true;
+  for (const VoxelMask& mask : crossings) is_empty = is_empty && mask == VoxelMask{};
+  if (is_empty) return Result::Failure(EmptyField());
+
+  SweepDistances(band, crossings, compiled.isa(), execution);
+  RefineDistances(source, crossings, band, execution);
+  if (execution.IsCancelled()) return Result::Failure(Cancelled());
+  return FinishBand(band, found.inside, voxel_size);
+}
+
+}  // namespace
+
+std::int64_t CountActive(const NarrowBand& band) {
+  std::int64_t count = 0;
+  for (const VoxelMask& mask : band.active) {
+    for (const std::uint64_t word : mask) count += std::popcount(word);
+  }
+  return count;
+}
+
+Outcome<NarrowBand> RasteriseBand(const Field& field, const RasteriseOptions& options,
+                                  const Execution& execution) {
+  using Result = Outcome<NarrowBand>;
+  if (Diagnostics wrong = Validate(field); HasError(wrong)) {
+    return Result::Failure(std::move(wrong));
+  }
+  if (auto wrong = CheckVoxelSize(field, options.voxel_size)) {
+    return Result::Failure(std::move(*wrong));
+  }
+  if (execution.IsCancelled()) return Result::Failure(Cancelled());
+  const std::size_t estimate = EstimateBytes(field, options), available = AvailableMemory();
+  if (estimate > available) return Result::Failure(OutOfMemory(estimate, available));
+  try {
+    std::optional<Result> result;
+    RunInArena(execution, [&] { result = Fill(field, options.voxel_size, execution); });
+    return std::move(*result);
+  } catch (const std::bad_alloc&) {
+    return Result::Failure(OutOfMemory(estimate, available));
+  }
+}
+
+}  // namespace lascaux

@@ -1,0 +1,110 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "lascaux/volume/check_mesh.h"
+#include "lascaux/volume/extract_mesh.h"
+#include "volume/cell_table.h"
+
+namespace lascaux {
+namespace {
+
+Lattice LatticeOf(const NarrowBand& band) { return {band.origin, band.voxel_size}; }
+
+/// Eight blocks of random values in a shell of voxels outside, off the origin by a grid that is no
+/// power of two. The larger `level`, the more of them are outside.
+NarrowBand Noise(std::uint32_t seed, float level) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> uniform(-1, 1);
+  NarrowBand band;
+  band.voxel_size = 0.3;
+  band.origin = {0.1, -0.7, 0.2};
+  for (int b = 0; b < 8; ++b) {
+    const Eigen::Vector3i at =
+        8 * (Eigen::Vector3i(b & 1, b >> 1 & 1, b >> 2) - Eigen::Vector3i::Ones());
+    band.blocks.push_back(at);
+    for (std::size_t i = 0; i < kBlockVoxels; ++i) {
+      const Eigen::Vector3i voxel =
+          at + Eigen::Vector3i(static_cast<int>(i / 64), static_cast<int>(i / 8 % 8),
+                               static_cast<int>(i % 8));
+      const bool is_rim = voxel.minCoeff() < -7 || voxel.maxCoeff() > 6;
+      float v = uniform(random) + level;
+      if (seed % 4 == 1) v = std::copysign(1.0F, v);
+      if (seed % 4 == 2) v = v > 0.5F ? 0.0F : v;
+      if (seed % 4 == 3) v *= 1e-6F;
+      band.values.push_back(is_rim ? 1.0F : v);
+    }
+    band.active.emplace_back();
+  }
+  return band;
+}
+
+/// How dense the noise is: from single voxels inside to single holes.
+float LevelOf(std::uint32_t seed) { return static_cast<float>(seed % 7) * 0.25F - 0.75F; }
+
+TEST(CellTable, EveryPieceIsOneRound) {
+  for (int signs = 0; signs < 256; ++signs) {
+    const auto bits = static_cast<CellSigns>(signs);
+    for (const CellPieces* pieces : {&PiecesApart(bits), &PiecesJoined(bits)}) {
+      std::array<int, 4> edges{};
+      for (const std::uint8_t piece : pieces->of_edge) {
+        if (piece != kNotCrossed) ++edges.at(piece);
+      }
+      for (std::size_t p = 0; p < 4; ++p) {
+        EXPECT_EQ(edges[p] >= 3, p < pieces->count) << signs;
+        EXPECT_EQ(edges[p] == 0, p >= pieces->count) << signs;
+      }
+    }
+    // Joined is apart for the opposite signs.
+    const CellPieces &joined = PiecesJoined(bits), &apart = PiecesApart(bits);
+    EXPECT_EQ(joined.of_edge, PiecesApart(static_cast<CellSigns>(~signs)).of_edge) << signs;
+    // What makes an edge of four faces can be cured in both cells: nothing else changes there.
+    if (joined.twice != kNoFace) {
+      EXPECT_EQ(apart.count, joined.count + 1) << signs;
+      EXPECT_EQ(apart.twice, kNoFace) << signs;
+    }
+  }
+}
+
+TEST(ExtractMesh, NoiseIsOneSolidThatDoesNotRunThroughItself) {
+  std::int64_t crossing = 0;
+  for (std::uint32_t seed = 0; seed < 200; ++seed) {
+    const NarrowBand band = Noise(seed, LevelOf(seed));
+    const auto mesh = ExtractMesh(band);
+    if (!mesh.ok()) continue;  // nothing is enclosed
+    const MeshFacts facts = CheckMesh(*mesh);
+    EXPECT_TRUE(facts.closed && facts.manifold && facts.oriented) << "seed " << seed;
+    EXPECT_EQ(facts.components, 1) << "seed " << seed;
+    EXPECT_EQ(facts.coincident, 0) << "seed " << seed;
+    EXPECT_EQ(facts.degenerate, 0) << "seed " << seed;
+    EXPECT_EQ(facts.self_intersections, 0) << "seed " << seed;
+    crossing += facts.self_intersections.value_or(0);
+  }
+  EXPECT_EQ(crossing, 0);
+}
+
+TEST(CheckMesh, ALatticeChangesNoFact) {
+  std::mt19937 random(7);
+  int intersecting = 0;
+  for (std::uint32_t seed = 0; seed < 36; ++seed) {
+    const NarrowBand band = Noise(seed, LevelOf(seed));
+    auto mesh = ExtractMesh(band);
+    if (!mesh.ok()) continue;
+    // Vertices pushed within their cells, out of them, onto each other.
+    const float push = 0.3F * 0.5F * static_cast<float>(seed % 5);
+    std::uniform_real_distribution<float> uniform(-push, push);
+    for (Eigen::Vector3f& v : mesh->vertices)
+      v += Eigen::Vector3f(uniform(random), uniform(random), uniform(random));
+    if (seed % 6 == 5) mesh->vertices[3] = mesh->vertices[5];
+    const MeshFacts facts = CheckMesh(*mesh);
+    EXPECT_EQ(CheckMesh(*mesh, LatticeOf(band)), facts) << "seed " << seed;
+    EXPECT_EQ(CheckMesh(*mesh, Lattice{Eigen::Vector3d(0.03, 0, 0), 0.17}), facts) << seed;
+    intersecting += facts.self_intersections.value_or(0) > 0 ? 1 : 0;
+  }
+  EXPECT_GT(intersecting, 12);
+}
+
+}  // namespace
+}  // namespace lascaux

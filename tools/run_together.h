@@ -1,0 +1,23 @@
+#pragma once
+
+#include <tbb/parallel_invoke.h>
+#include <tbb/task_arena.h>
+
+#include "lascaux/base/execution.h"
+
+namespace lascaux {
+
+/// Runs both, side by side where the execution has more than one thread. What one throws comes out
+/// when both are over.
+template <typename First, typename Second>
+void RunTogether(const Execution& execution, const First& first, const Second& second) {
+  if (execution.threads == 1) {
+    first();
+    second();
+    return;
+  }
+  tbb::task_arena arena(execution.threads > 0 ? execution.threads : tbb::task_arena::automatic);
+  arena.execute([&] { tbb::parallel_invoke(first, second); });
+}
+
+}  // namespace lascaux
