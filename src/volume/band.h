@@ -41,15 +41,19 @@ struct BandSource {
   double voxel_size;
 };
 
-/// Evaluates the field in each block: `inside`, and as `distance` the first-order distance, capped
-/// at kFar; where that is below about one voxel, once more from the foot of the perpendicular.
-Band EvaluateBand(const BandSource& source, const Execution& execution);
+/// Evaluates the field in each block: `inside`, and no distances yet.
+Band FindInside(const BandSource& source, const Execution& execution);
 
 /// Voxels with a neighbour along an axis on the other side of the surface, for each block.
 std::vector<VoxelMask> FindCrossings(const Band& band);
 
 /// Fills in `neighbours`.
 void ConnectBlocks(Band& band);
+
+/// Sets `distance` to the first-order distance at the crossings; where that is below about one
+/// voxel, measured once more from the foot of the perpendicular. kFar elsewhere.
+void MeasureCrossings(const BandSource& source, const std::vector<VoxelMask>& crossings, Band& band,
+                      const Execution& execution);
 
 /// Keeps the distances of the voxels in `crossings` and replaces all others by the solution of
 /// |grad d| = 1 from there, as far as kSweepVoxels.
@@ -62,7 +66,7 @@ void SweepDistances(Band& band, const std::vector<VoxelMask>& crossings, Isa isa
                     const Execution& execution);
 
 /// Replaces swept distances by the distance to the plane that is tangent to the surface at the foot
-/// of the perpendicular: second order where the scheme is first. `source` as for EvaluateBand.
+/// of the perpendicular: second order where the scheme is first. `source` as for FindInside.
 void RefineDistances(const BandSource& source, const std::vector<VoxelMask>& crossings, Band& band,
                      const Execution& execution);
 

@@ -1,6 +1,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <span>
 
@@ -14,52 +15,65 @@ namespace {
 // percent there.
 constexpr float kRefineVoxels = 1.25F;
 
-/// Evaluates one block at a time.
-class BlockEvaluator {
+/// The voxels of a mask, ascending.
+struct ChosenVoxels {
+  std::array<std::uint16_t, kBlockVoxels> voxel;
+  std::size_t count = 0;
+
+  explicit ChosenVoxels(const VoxelMask& mask) {
+    for (std::size_t x = 0; x < 8; ++x) {
+      for (std::uint64_t word = mask[x]; word != 0; word &= word - 1)
+        voxel[count++] =
+            static_cast<std::uint16_t>(64 * x + static_cast<std::size_t>(std::countr_zero(word)));
+    }
+  }
+};
+
+/// A block's part of a band.
+struct BlockPart {
+  const VoxelMask& inside;
+  std::span<float> distance;
+};
+
+/// Measures the distances of a block's crossings.
+class CrossingMeter {
  public:
-  explicit BlockEvaluator(const BandSource& source)
-      : source_(source), offsets_(source.voxel_size) {}
+  explicit CrossingMeter(const BandSource& source) : source_(source), offsets_(source.voxel_size) {}
 
-  void Run(const Block& block, VoxelMask& inside, std::span<float> distance) const {
+  void Run(const Block& block, const VoxelMask& crossings, const BlockPart& out) const {
+    const ChosenVoxels chosen(crossings);
+    if (chosen.count == 0) return;
     const Eigen::Vector3d center = BlockCenter(block, source_.voxel_size);
-    const auto limit = static_cast<float>(static_cast<double>(kFar) * source_.voxel_size);
-    const auto to_voxels = static_cast<float>(1 / source_.voxel_size);
-    Samples first;
-    first.x = offsets_.x;
-    first.y = offsets_.y;
-    first.z = offsets_.z;
-    first.Evaluate(source_.field, block, center, kBlockVoxels, limit);
-
-    const float near = kRefineVoxels / to_voxels;
-    std::array<std::uint16_t, kBlockVoxels> refined;
+    const auto h = static_cast<float>(source_.voxel_size);
+    Samples first, foot;
+    for (std::size_t k = 0; k < chosen.count; ++k) {
+      const std::size_t i = chosen.voxel[k];
+      first.x[k] = offsets_.x[i];
+      first.y[k] = offsets_.y[i];
+      first.z[k] = offsets_.z[i];
+    }
+    first.Evaluate(source_.field, block, center, chosen.count, kFar * h);
+    // From the foot of the perpendicular: what is left to the surface there is second-order small.
+    std::array<std::uint16_t, kBlockVoxels> near;
     std::size_t count = 0;
-    inside.fill(0);
-    for (std::size_t i = 0; i < kBlockVoxels; ++i) {
-      const float d = first.distance[i];
-      distance[i] = std::abs(d) * to_voxels;
-      const bool is_inside = first.value[i] > static_cast<float>(kIsoValue);
-      inside[i / 64] |= static_cast<std::uint64_t>(is_inside) << i % 64;
-      refined[count] = static_cast<std::uint16_t>(i);
-      count += std::abs(d) < near ? 1 : 0;
+    for (std::size_t k = 0; k < chosen.count; ++k) {
+      const float d = first.distance[k];
+      out.distance[chosen.voxel[k]] = std::min(std::abs(d) / h, kFar);
+      if (!(std::abs(d) < kRefineVoxels * h)) continue;
+      // F falls outward, so the gradient points to the inside.
+      const Eigen::Vector3f way = d * first.Gradient(k).normalized();
+      foot.x[count] = first.x[k] + way.x();
+      foot.y[count] = first.y[k] + way.y();
+      foot.z[count] = first.z[k] + way.z();
+      near[count++] = static_cast<std::uint16_t>(k);
     }
     if (count == 0) return;
-
-    // From the foot of the perpendicular: what is left to the surface there is second-order small.
-    Samples foot;
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t i = refined[k];
-      // F falls outward, so the gradient points to the inside.
-      const Eigen::Vector3f way = first.distance[i] * first.Gradient(i).normalized();
-      foot.x[k] = offsets_.x[i] + way.x();
-      foot.y[k] = offsets_.y[i] + way.y();
-      foot.z[k] = offsets_.z[i] + way.z();
-    }
-    foot.Evaluate(source_.field, block, center, count, limit);
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t i = refined[k];
-      const bool is_inside = (inside[i / 64] >> i % 64 & 1) != 0;
-      const float d = first.distance[i] + foot.distance[k];
-      distance[i] = std::clamp((is_inside ? -d : d) * to_voxels, 0.0F, kFar);
+    foot.Evaluate(source_.field, block, center, count, kFar * h);
+    for (std::size_t n = 0; n < count; ++n) {
+      const std::size_t k = near[n], i = chosen.voxel[k];
+      const bool is_inside = (out.inside[i / 64] >> i % 64 & 1) != 0;
+      const float d = first.distance[k] + foot.distance[n];
+      out.distance[i] = std::clamp((is_inside ? -d : d) / h, 0.0F, kFar);
     }
   }
 
@@ -68,22 +82,42 @@ class BlockEvaluator {
   BlockOffsets offsets_;
 };
 
+VoxelMask InsideOf(const BandSource& source, const Block& block, const BlockOffsets& offsets) {
+  std::array<float, kBlockVoxels> values;
+  source.field.EvaluateValues(
+      {BlockCenter(block, source.voxel_size), offsets.x, offsets.y, offsets.z}, block.active,
+      values);
+  VoxelMask inside{};
+  for (std::size_t i = 0; i < kBlockVoxels; ++i)
+    inside[i / 64] |= static_cast<std::uint64_t>(values[i] > static_cast<float>(kIsoValue))
+                      << i % 64;
+  return inside;
+}
+
 }  // namespace
 
-Band EvaluateBand(const BandSource& source, const Execution& execution) {
+Band FindInside(const BandSource& source, const Execution& execution) {
   const std::vector<Block>& blocks = source.blocks;
   Band band;
   band.origins.reserve(blocks.size());
   for (const Block& block : blocks) band.origins.push_back(block.origin);
   band.inside.resize(blocks.size());
-  band.distance.resize(kBlockVoxels * blocks.size());
-  const BlockEvaluator evaluator(source);
+  const BlockOffsets offsets(source.voxel_size);
   tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
-    if (execution.IsCancelled()) return;
-    evaluator.Run(blocks[b], band.inside[b],
-                  std::span(band.distance).subspan(kBlockVoxels * b, kBlockVoxels));
+    if (!execution.IsCancelled()) band.inside[b] = InsideOf(source, blocks[b], offsets);
   });
   return band;
+}
+
+void MeasureCrossings(const BandSource& source, const std::vector<VoxelMask>& crossings, Band& band,
+                      const Execution& execution) {
+  band.distance.assign(kBlockVoxels * band.size(), kFar);
+  const CrossingMeter meter(source);
+  tbb::parallel_for(std::size_t{0}, band.size(), [&](std::size_t b) {
+    if (execution.IsCancelled()) return;
+    const std::span distance = std::span(band.distance).subspan(kBlockVoxels * b, kBlockVoxels);
+    meter.Run(source.blocks[b], crossings[b], {band.inside[b], distance});
+  });
 }
 
 void ConnectBlocks(Band& band) {

@@ -68,7 +68,7 @@ Outcome<NarrowBand> Fill(const Field& field, double voxel_size, const Execution&
   const FoundBlocks found = FindBlocks(compiled, search, execution);
 
   const BandSource source = {compiled, found.blocks, voxel_size};
-  Band band = EvaluateBand(source, execution);
+  Band band = FindInside(source, execution);
   if (execution.IsCancelled()) return Result::Failure(Cancelled());
   band.upper_half = search.upper_half;
   ConnectBlocks(band);
@@ -77,6 +77,7 @@ Outcome<NarrowBand> Fill(const Field& field, double voxel_size, const Execution&
   for (const VoxelMask& mask : crossings) is_empty = is_empty && mask == VoxelMask{};
   if (is_empty) return Result::Failure(EmptyField());
 
+  MeasureCrossings(source, crossings, band, execution);
   SweepDistances(band, crossings, compiled.isa(), execution);
   RefineDistances(source, crossings, band, execution);
   if (execution.IsCancelled()) return Result::Failure(Cancelled());

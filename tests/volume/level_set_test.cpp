@@ -181,9 +181,11 @@ TEST(SweepDistances, GivesTheSameBitsForEveryInstructionSet) {
   search.voxel_size = kVoxel;
   search.margin = kBandVoxels + 0.5;
   const FoundBlocks found = FindBlocks(field, search, {});
-  Band band = EvaluateBand({field, found.blocks, kVoxel}, {});
+  const BandSource source = {field, found.blocks, kVoxel};
+  Band band = FindInside(source, {});
   ConnectBlocks(band);
   const std::vector<VoxelMask> crossings = FindCrossings(band);
+  MeasureCrossings(source, crossings, band, {});
   Band baseline = band;
   SweepDistances(baseline, crossings, Isa::kBaseline, {});
   for (const Isa isa : {Isa::kAvx2, Isa::kAvx512}) {
