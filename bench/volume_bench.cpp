@@ -6,12 +6,9 @@
 
 #include <benchmark/benchmark.h>
 
-#include <fstream>
 #include <iostream>
-#include <map>
-#include <sstream>
-#include <string>
 
+#include "body.h"
 #include "lascaux/field/field.h"
 #include "lascaux/volume/check_mesh.h"
 #include "lascaux/volume/extract_mesh.h"
@@ -23,27 +20,6 @@ namespace {
 using namespace lascaux;
 
 Field g_field;
-
-Field ReadField(const std::string& path) {
-  Field field;
-  std::ifstream file(path);
-  std::map<std::string, std::size_t> index;
-  for (std::string line; std::getline(file, line);) {
-    Segment s;
-    std::string name;
-    std::istringstream words(line);
-    words >> s.a.x() >> s.a.y() >> s.a.z() >> s.radius_a;
-    words >> s.b.x() >> s.b.y() >> s.b.z() >> s.radius_b >> name;
-    if (!words) continue;
-    const auto [at, is_new] = index.try_emplace(name, field.parts.size());
-    if (is_new) {
-      field.parts.emplace_back().chains.emplace_back();
-      if (field.parts.size() > 1) field.parts.back().parent = 0;
-    }
-    field.parts[at->second].chains.front().segments.push_back(s);
-  }
-  return field;
-}
 
 double VoxelSize(const benchmark::State& state) {
   return Bounds(g_field).sizes().maxCoeff() / static_cast<double>(state.range(0));
@@ -118,7 +94,7 @@ int main(int argc, char** argv) {
     std::cerr << "usage: bench_volume FILE [--benchmark_...]\n";
     return 2;
   }
-  g_field = ReadField(argv[1]);
+  g_field = ReadBody(argv[1], BodyBlend::kParts);
   if (g_field.parts.empty()) {
     std::cerr << argv[1] << ": no segments\n";
     return 3;

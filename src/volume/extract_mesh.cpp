@@ -190,11 +190,12 @@ class Extraction {
       const Eigen::Vector3d at = in_cell_[q[k]].cast<double>();
       seen[k] = {at[u] - (k == 1 || k == 2 ? 0 : 1), at[w] - (k >= 2 ? 0 : 1), at[axis]};
     }
-    const auto length = [&](std::size_t a, std::size_t b) {
-      return std::hypot(seen[a].x - seen[b].x, seen[a].y - seen[b].y,
-                        seen[a].height - seen[b].height);
+    const auto squared_length = [&](std::size_t a, std::size_t b) {
+      const double x = seen[a].x - seen[b].x, y = seen[a].y - seen[b].y;
+      const double height = seen[a].height - seen[b].height;
+      return x * x + y * y + height * height;
     };
-    const bool first_is_shorter = length(0, 2) <= length(1, 3);
+    const bool first_is_shorter = squared_length(0, 2) <= squared_length(1, 3);
     const bool is_first_good = IsInEnvelope({seen[0], seen[2], seen[1], seen[3]}, kEnvelopeMargin);
     if (first_is_shorter && is_first_good) return true;
     const bool is_other_good = IsInEnvelope({seen[1], seen[3], seen[2], seen[0]}, kEnvelopeMargin);

@@ -56,10 +56,14 @@ class Cells {
         lattice_(lattice),
         bits_(std::max(4, static_cast<int>(std::bit_width(2 * mesh.vertices.size())))),
         keys_(std::size_t{1} << bits_),
-        slot_(mesh.vertices.size(), kNoSlot) {
+        slot_(mesh.vertices.size(), kNoSlot),
+        placed_(mesh.vertices.size()) {
     tbb::parallel_for(Range(0, slot_.size(), kGrain), [this](const Range& range) {
       for (std::size_t v = range.begin(); v < range.end(); ++v) {
-        if (const auto placed = Place(v)) slot_[v] = Insert(Key(placed->cell));
+        const auto placed = Place(v);
+        if (!placed) continue;
+        placed_[v] = *placed;
+        slot_[v] = Insert(Key(placed->cell));
       }
     });
   }
@@ -67,6 +71,20 @@ class Cells {
   Vector3d InCells(std::size_t vertex) const {
     return (mesh_.vertices[vertex].cast<double>() - lattice_.origin) / lattice_.size;
   }
+
+  /// Where it is, if it is alone in its cell.
+  const Placed& At(std::size_t vertex) const { return placed_[vertex]; }
+
+  /// Alone in its cell.
+  bool IsAlone(std::size_t vertex) const {
+    return slot_[vertex] != kNoSlot &&
+           (keys_[slot_[vertex]].load(std::memory_order_relaxed) & kShared) == 0;
+  }
+
+ private:
+  static constexpr std::uint32_t kNoSlot = ~0u;
+  static constexpr std::uint64_t kEmpty = 0;
+  static constexpr std::uint64_t kShared = std::uint64_t{1} << (3 * kCellBits);
 
   /// Empty when it is on the border of cells, or too far out for that to be known.
   std::optional<Placed> Place(std::size_t vertex) const {
@@ -77,19 +95,6 @@ class Cells {
     if (!(at.minCoeff() > kMargin) || !(at.maxCoeff() < 1 - kMargin)) return std::nullopt;
     return Placed{low.array().cast<int>(), at};
   }
-
-  bool IsPlaced(std::size_t vertex) const { return slot_[vertex] != kNoSlot; }
-
-  /// Alone in its cell.
-  bool IsAlone(std::size_t vertex) const {
-    return IsPlaced(vertex) &&
-           (keys_[slot_[vertex]].load(std::memory_order_relaxed) & kShared) == 0;
-  }
-
- private:
-  static constexpr std::uint32_t kNoSlot = ~0u;
-  static constexpr std::uint64_t kEmpty = 0;
-  static constexpr std::uint64_t kShared = std::uint64_t{1} << (3 * kCellBits);
 
   /// Which slot a cell gets depends on who is first, whether it is shared does not.
   std::uint32_t Insert(std::uint64_t key) {
@@ -108,6 +113,7 @@ class Cells {
   int bits_;
   std::vector<std::atomic<std::uint64_t>> keys_;
   std::vector<std::uint32_t> slot_;
+  std::vector<Placed> placed_;
 };
 
 /// A quadrilateral as two triangles: (d0, d1, a) and (d1, d0, b).
@@ -190,7 +196,7 @@ class Proof {
     std::array<Placed, 4> placed;
     for (std::size_t i = 0; i < 4; ++i) {
       if (!cells_.IsAlone(corners[i])) return false;
-      placed[i] = *cells_.Place(corners[i]);
+      placed[i] = cells_.At(corners[i]);
     }
     // Only where two quadrilaterals around one edge close on each other has a diagonal's end three
     // triangles: each has two of its own quadrilateral, and one of the other.
@@ -238,7 +244,7 @@ class Proof {
   bool IsNear(const std::array<std::uint32_t, 3>& triangle) const {
     if (all_near_) return true;
     return std::any_of(triangle.begin(), triangle.end(), [this](std::uint32_t v) {
-      const std::size_t bit = Hash(Key(cells_.Place(v)->cell), kNearBits);
+      const std::size_t bit = Hash(Key(cells_.At(v).cell), kNearBits);
       return (near_[bit / 64] >> bit % 64 & 1) != 0;
     });
   }

@@ -4,10 +4,17 @@
 #include <tbb/parallel_reduce.h>
 
 #include <Eigen/Geometry>
+#include <functional>
 
 namespace lascaux {
 
 using Eigen::Vector3d;
+
+namespace {
+
+constexpr std::size_t kGrain = 4096;  // triangles a task
+
+}  // namespace
 
 Vector3d MiddleOf(const Mesh& mesh) {
   Eigen::AlignedBox3f box;
@@ -22,8 +29,20 @@ double SixVolumes(const Mesh& mesh, const std::array<std::uint32_t, 3>& t, const
   return a.dot(b.cross(c));
 }
 
+double VolumeOf(const Mesh& mesh) {
+  const Vector3d middle = MiddleOf(mesh);
+  const auto add = [&](const tbb::blocked_range<std::size_t>& range, double sum) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i)
+      sum += SixVolumes(mesh, mesh.triangles[i], middle);
+    return sum;
+  };
+  return tbb::parallel_deterministic_reduce(
+             tbb::blocked_range<std::size_t>(0, mesh.triangles.size(), kGrain), 0.0, add,
+             std::plus<>()) /
+         6;
+}
+
 MeshMeasures MeasureTriangles(const Mesh& mesh) {
-  constexpr std::size_t kGrain = 4096;
   const Vector3d middle = MiddleOf(mesh);
   const auto add = [&](const tbb::blocked_range<std::size_t>& range, MeshMeasures sum) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {

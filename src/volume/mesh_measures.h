@@ -15,7 +15,8 @@ Eigen::Vector3d MiddleOf(const Mesh& mesh);
 double SixVolumes(const Mesh& mesh, const std::array<std::uint32_t, 3>& t,
                   const Eigen::Vector3d& point);
 
-/// Volume and area; the same bits for any number of threads.
+/// The volume alone, and with the area; the same bits for any number of threads.
+double VolumeOf(const Mesh& mesh);
 struct MeshMeasures {
   double volume = 0, area = 0;
 };

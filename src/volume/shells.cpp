@@ -49,7 +49,7 @@ Shells FindShells(const Mesh& mesh) {
     found.shells[found.of[v]].box.extend(mesh.vertices[v]);
   }
   if (found.shells.size() == 1) {
-    found.shells.front().volume = MeasureTriangles(mesh).volume;
+    found.shells.front().volume = VolumeOf(mesh);
     return found;
   }
   for (const auto& t : mesh.triangles) {

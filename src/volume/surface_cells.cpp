@@ -102,6 +102,7 @@ void ConnectBlocks(const NarrowBand& band, SurfaceCells& cells) {
 void FindCrossed(SurfaceCells& cells) {
   const std::size_t blocks = cells.inside.size();
   cells.crossed.resize(blocks);
+  cells.in_layers.resize(blocks);
   cells.first.assign(blocks + 1, 0);
   tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t b) {
     std::uint32_t count = 0;
@@ -111,7 +112,8 @@ void FindCrossed(SurfaceCells& cells) {
       const std::uint64_t all =
           low.at & low.y & low.z & low.yz & high.at & high.y & high.z & high.yz;
       cells.crossed[b][x] = any & ~all;
-      count += static_cast<std::uint32_t>(std::popcount(any & ~all));
+      cells.in_layers[b][x] = static_cast<std::uint16_t>(count);
+      count += static_cast<std::uint32_t>(CountBits(any & ~all));
     });
     cells.first[b + 1] = count;
   });

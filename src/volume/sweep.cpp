@@ -49,6 +49,13 @@ LASCAUX_INLINE Lanes Solve(Lanes x, Lanes y, Lanes z) {
   return a + (b < 1.0F ? beyond_b : All(1));
 }
 
+LASCAUX_INLINE bool IsAnyBelow(Lanes a, Lanes b) {
+  const auto below = a < b;
+  int any = 0;
+  for (std::size_t k = 0; k < kLanes; ++k) any |= below[k];
+  return any != 0;
+}
+
 /// The new values of a line; `fixed` is below kFar where a value is given. Returns whether a value
 /// within the band changed.
 LASCAUX_INLINE bool UpdateLine(const BandView& view, std::size_t at, const float* fixed,
@@ -60,14 +67,15 @@ LASCAUX_INLINE bool UpdateLine(const BandView& view, std::size_t at, const float
   std::memcpy(&z[1], line, 8 * sizeof(float));
   z[9] = view.AfterLine(at);
   const Lanes own = Load(line), given = Load(fixed + at);
-  const Lanes solved = Solve(Min(Load(beside[0]), Load(beside[1])),
-                             Min(Load(beside[2]), Load(beside[3])), Min(Load(&z[0]), Load(&z[2])));
+  const Lanes along_x = Min(Load(beside[0]), Load(beside[1]));
+  const Lanes along_y = Min(Load(beside[2]), Load(beside[3]));
+  const Lanes along_z = Min(Load(&z[0]), Load(&z[2]));
+  // Nothing within the band comes from beyond it.
+  if (!IsAnyBelow(Min(Min(along_x, along_y), along_z), All(kSweepVoxels))) return false;
+  const Lanes solved = Solve(along_x, along_y, along_z);
   const Lanes next = given < kFar ? given : Min(solved, own);
-  const Lanes change = next < kSweepVoxels ? own - next : Lanes{};
   std::memcpy(out + at, &next, sizeof next);
-  float largest = 0;
-  for (std::size_t k = 0; k < kLanes; ++k) largest = std::max(largest, change[k]);
-  return largest > 0;
+  return IsAnyBelow(next < kSweepVoxels ? next : All(kFar), own);
 }
 
 /// One bit a line of eight along z: bit 8 x + y.
