@@ -6,7 +6,7 @@ set -eu
 packages='
   g++ cmake ninja-build ccache clang-format pkg-config
   libopenvdb-dev libtbb-dev libeigen3-dev libcgal-dev libopenimageio-dev
-  libboost-dev libboost-iostreams-dev libboost-system-dev zlib1g-dev libblosc-dev
+  libboost-dev libboost-iostreams-dev libboost-system-dev zlib1g-dev libpng-dev libblosc-dev
   libpugixml-dev libcli11-dev nlohmann-json3-dev libfmt-dev lib2geom-dev
   libgtest-dev libbenchmark-dev
   libopenvdb-tools openimageio-tools python3 python3-openvdb admesh

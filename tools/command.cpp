@@ -7,6 +7,7 @@
 #include <cctype>
 #include <filesystem>
 
+#include "grid_plugin.h"
 #include "lascaux/io/content_hash.h"
 #include "lascaux/io/read_file.h"
 #include "progress.h"
@@ -97,6 +98,12 @@ LastStage LastStageFor(Verb verb, const std::vector<OutputTarget>& targets) {
   return picture ? LastStage::kPreview : LastStage::kMesh;
 }
 
+bool NeedsOpenVdb(const std::vector<OutputTarget>& targets) {
+  return std::any_of(targets.begin(), targets.end(), [](const OutputTarget& target) {
+    return target.kind == OutputKind::kVdb || IsPicture(target.kind);
+  });
+}
+
 /// Reads, builds and writes. What went wrong is in the model's diagnostics.
 Model Make(const Job& job, const CommandOptions& options, const Execution& execution) {
   Model model;
@@ -150,6 +157,9 @@ ExitCode RunCommand(Verb verb, const CommandOptions& options, const Execution& e
     PrintMessages(stderr, kProgram, errors, options.verbosity);
     return ExitCode::kUsage;
   }
+  // On time for whoever writes a level set or a picture at the end, beside the drawing's reading.
+  const bool uses_openvdb = std::any_of(plan->begin(), plan->end(), NeedsOpenVdb);
+  if (uses_openvdb) PreloadGridPlugin();
   ExitCode worst = ExitCode::kSuccess;
   for (std::size_t i = 0; i < options.sketches.size() && !execution.IsCancelled(); ++i) {
     const Job job{options.sketches[i], (*plan)[i], LastStageFor(verb, (*plan)[i])};

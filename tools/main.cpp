@@ -7,7 +7,9 @@
 
 #include "command.h"
 #include "command_line.h"
+#include "grid_plugin.h"
 #include "interrupt.h"
+#include "messages.h"
 
 namespace {
 
@@ -23,7 +25,10 @@ int Run(int argc, char** argv) {
   const lascaux::Execution execution{
       .threads = line.threads, .cancel = &lascaux::WatchForInterrupts(), .progress = {}};
   if (line.verb == lascaux::Verb::kRender) {
-    return static_cast<int>(lascaux::RunRender(line.render, execution));
+    const auto& plugin = lascaux::LoadGridPlugin();
+    if (plugin) return static_cast<int>((*plugin)->run_render(line.render, execution));
+    lascaux::PrintMessages(stderr, "lascaux", plugin.diagnostics(), line.render.verbosity);
+    return static_cast<int>(lascaux::ExitCodeOf(plugin.diagnostics()));
   }
   return static_cast<int>(lascaux::RunCommand(line.verb, line.options, execution));
 }

@@ -8,11 +8,10 @@
 #include <utility>
 
 #include "grid.h"
+#include "grid_plugin.h"
 #include "lascaux/skeleton/normalise_outline.h"
 #include "lascaux/volume/extract_mesh.h"
-#include "lascaux/volume/level_set.h"
 #include "lascaux/volume/narrow_band.h"
-#include "lascaux/volume/render.h"
 #include "run_together.h"
 #include "settle.h"
 #include "stopwatch.h"
@@ -142,13 +141,13 @@ class Run {
     const HeadEnd head = FindHead(model_);
     if (head == HeadEnd::kRight) options.head = Head::kRight;
     if (head == HeadEnd::kLeft) options.head = Head::kLeft;
-    const auto level_set = ToLevelSet(model_.grid->surface, execution_);
+    std::vector<RenderOptions> shots;
+    for (const View view : options_.preview.views) shots.emplace_back(options).view = view;
+    const auto& plugin = LoadGridPlugin();
     std::vector<Picture> pictures;
-    for (const View view : options_.preview.views) {
-      options.view = view;
-      if (!Keep(Render(*level_set, options, execution_), pictures.emplace_back())) {
-        return false;
-      }
+    if (!(plugin ? Keep((*plugin)->render(model_.grid->surface, shots, execution_), pictures)
+                 : Keep(Outcome<std::vector<Picture>>::Failure(plugin.diagnostics()), pictures))) {
+      return false;
     }
     const int columns = SheetColumns(static_cast<int>(pictures.size()));
     model_.preview =

@@ -5,11 +5,10 @@
 #include <iterator>
 
 #include "grid.h"
+#include "grid_plugin.h"
 #include "lascaux/io/output_file.h"
 #include "lascaux/io/write_ply.h"
 #include "lascaux/io/write_stl.h"
-#include "lascaux/io/write_vdb.h"
-#include "lascaux/volume/level_set.h"
 #include "parse_dump.h"
 #include "parse_picture.h"
 #include "picture_file.h"
@@ -18,12 +17,18 @@
 namespace lascaux {
 namespace {
 
+Diagnostics WriteBand(const std::filesystem::path& path, const NarrowBand& band,
+                      const WriteVdbOptions& options, const Execution& execution) {
+  const auto& plugin = LoadGridPlugin();
+  return plugin ? (*plugin)->write_vdb(path, band, options, execution) : plugin.diagnostics();
+}
+
 Diagnostics Write(const Model& model, OutputKind kind, const std::filesystem::path& path,
                   const WriteOptions& options, const Execution& execution) {
   switch (kind) {
     case OutputKind::kVdb:
-      return WriteVdb(path, *ToLevelSet(model.grid->surface, execution),
-                      {.unit = options.unit, .metadata = options.metadata}, execution);
+      return WriteBand(path, model.grid->surface,
+                       {.unit = options.unit, .metadata = options.metadata}, execution);
     case OutputKind::kStl:
       return WriteStl(path, *model.mesh);
     case OutputKind::kPly:

@@ -43,16 +43,15 @@ Outcome<ImagePlugin> LoadImagePlugin(const std::vector<std::filesystem::path>& f
     }
     void* const library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     ImagePlugin plugin;
-    if (library != nullptr && Find(library, LASCAUX_ENCODE_PNG, plugin.encode_png) &&
-        Find(library, LASCAUX_ENCODE_EXR, plugin.encode_exr)) {
+    if (library != nullptr && Find(library, LASCAUX_ENCODE_EXR, plugin.encode_exr)) {
       return plugin;
     }
     reasons += fmt::format(", {}", dlerror());
   }
   return Outcome<ImagePlugin>::Failure(Error(
       FailureKind::kOutput, "image-plugin-missing",
-      fmt::format("pictures need the plugin {}: {}; install it again with the program, or ask for "
-                  "no .png or .exr",
+      fmt::format(".exr needs the plugin {}: {}; install it again with the program, or ask for "
+                  ".png",
                   kPluginFile, reasons.empty() ? "no folder to look in" : reasons.substr(2))));
 }
 

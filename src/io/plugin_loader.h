@@ -14,7 +14,6 @@ std::vector<std::filesystem::path> PluginFolders();
 
 /// What the plugin can do.
 struct ImagePlugin {
-  LascauxEncodePng encode_png = nullptr;
   LascauxEncodeExr encode_exr = nullptr;
 };
 

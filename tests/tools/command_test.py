@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """The command line as scripts see it: exit codes, messages, names of outputs, interrupts."""
+import os
 import pathlib
 import re
 import signal
@@ -21,6 +22,14 @@ class CommandTest(ProgramTest):
         self.assertEqual(process.stdout, "")
         self.assertEqual(self.files(), sorted(names))
         self.assertEqual(len([m for m in messages(process, "note") if ": built: " in m]), 1)
+
+    def test_openvdb_is_loaded_only_where_it_is_used(self):
+        # The dynamic loader says what it loads.
+        environment = {**os.environ, "LD_DEBUG": "files"}
+        for name, uses in (("cat.stl", False), ("cat.json", False), ("cat.vdb", True), ("cat.png", True)):
+            process = run("build", CAT, "-o", self.folder / name, *SMALL, env=environment)
+            self.assert_code(process, 0)
+            self.assertEqual("libopenvdb" in process.stderr, uses, name)
 
     def test_without_outputs_it_is_a_check(self):
         process = run("build", CAT, *SMALL)

@@ -3,27 +3,15 @@
 #include <openvdb/openvdb.h>
 
 #include <filesystem>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "lascaux/base/execution.h"
 #include "lascaux/base/outcome.h"
-#include "lascaux/io/units.h"
+#include "lascaux/io/write_vdb_options.h"
 
 /// @file
 /// OpenVDB files: the level set as film and games tools take it.
 
 namespace lascaux {
-
-struct WriteVdbOptions {
-  Unit unit = Unit::kMetre;
-  /// Text metadata of the file, in addition to "units" and "up_axis": creator, version, hash of the
-  /// sketch, ...
-  std::vector<std::pair<std::string, std::string>> metadata = {};
-
-  bool operator==(const WriteVdbOptions&) const = default;
-};
 
 /// Writes a level set in millimetres as the grid "surface", scaled to the unit (transform,
 /// distances and background alike), with statistics metadata and active-mask compression.

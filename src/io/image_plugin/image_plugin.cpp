@@ -30,17 +30,6 @@ Encoded Encode(const char* format, const OIIO::ImageSpec& spec, OIIO::TypeDesc t
   return encoded;
 }
 
-Encoded EncodePng(const LascauxImage& image) {
-  OIIO::ImageSpec spec(image.width, image.height, 4, OIIO::TypeDesc::UINT8);
-  spec.attribute("oiio:ColorSpace", "sRGB");
-  spec.attribute("oiio:UnassociatedAlpha", 1);
-  // Trying all filters and harder compression take three times as long, for a tenth of the bytes.
-  constexpr int kDifferenceToTheLeft = 0x10;  // PNG_FILTER_SUB
-  spec.attribute("png:filter", kDifferenceToTheLeft);
-  spec.attribute("png:compressionLevel", 4);
-  return Encode("png", spec, OIIO::TypeDesc::UINT8, image.rgba);
-}
-
 /// Colours and normals as half, as is usual; depths and ids need all bits.
 Encoded EncodeExr(const LascauxLayers& layers) {
   OIIO::ImageSpec spec(layers.width, layers.height, layers.channels, OIIO::TypeDesc::FLOAT);
@@ -83,11 +72,6 @@ int32_t Run(Encoded (*encode)(const Picture&), const Picture* picture, LascauxIm
 }
 
 }  // namespace
-
-extern "C" __attribute__((visibility("default"))) int32_t lascaux_encode_png_1(
-    const LascauxImage* image, LascauxImageSink sink, void* context) {
-  return Run(EncodePng, image, sink, context);
-}
 
 extern "C" __attribute__((visibility("default"))) int32_t lascaux_encode_exr_1(
     const LascauxLayers* layers, LascauxImageSink sink, void* context) {

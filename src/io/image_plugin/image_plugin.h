@@ -13,12 +13,6 @@ extern "C" {
 /* Takes the encoded bytes, in one or more pieces. */
 typedef void (*LascauxImageSink)(void* context, const char* bytes, size_t size);
 
-/* An 8-bit sRGB picture with straight alpha, 4 bytes a pixel, rows from the top. */
-typedef struct {
-  int32_t width, height;
-  const uint8_t* rgba;
-} LascauxImage;
-
 /* Linear floats: `channels` values a pixel, named as in an OpenEXR file; rows from the top. */
 typedef struct {
   int32_t width, height, channels;
@@ -26,15 +20,10 @@ typedef struct {
   const float* pixels;
 } LascauxLayers;
 
-/* Encodes as PNG. Returns 0, or 1 with the reason given to the sink in place of the picture. */
-typedef int32_t (*LascauxEncodePng)(const LascauxImage* image, LascauxImageSink sink,
-                                    void* context);
-
-/* Encodes as OpenEXR, in the same way. */
+/* Encodes as OpenEXR. Returns 0, or 1 with the reason given to the sink in place of the picture. */
 typedef int32_t (*LascauxEncodeExr)(const LascauxLayers* layers, LascauxImageSink sink,
                                     void* context);
 
-#define LASCAUX_ENCODE_PNG "lascaux_encode_png_1"
 #define LASCAUX_ENCODE_EXR "lascaux_encode_exr_1"
 
 #ifdef __cplusplus
