@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <filesystem>
 
 #include "grid_plugin.h"
@@ -27,21 +25,11 @@ Diagnostic Usage(std::string code, std::string message) {
 
 /// What can be said about the inputs before any of them is read.
 Diagnostics CheckInputs(const CommandOptions& options) {
-  constexpr std::array<std::string_view, 7> kPictures = {".png",  ".jpg", ".jpeg", ".tif",
-                                                         ".tiff", ".bmp", ".webp"};
   Diagnostics errors;
   for (const std::string& sketch : options.sketches) {
-    std::string ending = std::filesystem::path(sketch).extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (std::find(kPictures.begin(), kPictures.end(), ending) != kPictures.end())
-      errors.push_back(Usage("unknown-format",
-                             fmt::format("{}: pictures are not read; draw the lines as SVG, whose "
-                                         "ending is .svg",
-                                         sketch)));
     if (sketch == "-" && options.format.empty())
       errors.push_back(
-          Usage("unknown-format", "-: standard input has no ending; say --format svg"));
+          Usage("unknown-format", "-: standard input has no ending; say --format svg, png or jpg"));
   }
   if (std::count(options.sketches.begin(), options.sketches.end(), "-") > 1)
     errors.push_back(Usage("usage", "-: standard input can be read only once"));
@@ -92,6 +80,7 @@ struct Job {
 
 /// The last stage that the outputs need.
 LastStage LastStageFor(Verb verb, const std::vector<OutputTarget>& targets) {
+  if (verb == Verb::kTrace) return LastStage::kSketch;
   if (verb == Verb::kInspect) return LastStage::kCreature;
   const bool picture =
       std::any_of(targets.begin(), targets.end(), [](const auto& t) { return IsPicture(t.kind); });

@@ -11,12 +11,12 @@
 
 namespace lascaux {
 
-/// What both `lascaux build` and `lascaux inspect` are told on the command line.
+/// What `lascaux build`, `inspect` and `trace` are told on the command line.
 struct CommandOptions {
   std::vector<std::string> sketches;  ///< paths, "-" for standard input
   std::vector<std::string> outputs;   ///< values of -o
   std::vector<std::string> reports;   ///< values of --report
-  std::string format;                 ///< of what comes from standard input: "svg"
+  std::string format;                 ///< of what comes from standard input: "svg", "png" or "jpg"
   Verbosity verbosity = Verbosity::kAll;
   PipelineOptions pipeline;
   WriteOptions write;

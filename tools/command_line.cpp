@@ -21,6 +21,8 @@ Examples:
   lascaux build *.svg -o 'out/{}.stl' --report 'out/{}.json'
   lascaux build cat.svg -o cat.stl --size 80 --resolution 512
   lascaux inspect cat.svg -o parse.svg
+  lascaux build photo.jpg -o cat.stl
+  lascaux trace photo.jpg -o cat.svg
   lascaux render cat.vdb -o views.png --contact-sheet
   cat cat.svg | lascaux build - --format svg -o cat.vdb
 )";
@@ -53,12 +55,29 @@ void Refuse(CLI::App& app, const std::string& name, const std::string& instead) 
       ->group("");
 }
 
+/// What every verb has.
+void AddInputs(CLI::App& app, CommandLine& line) {
+  CommandOptions& options = line.options;
+  app.add_option(
+         "SKETCH", options.sketches,
+         "Drawings: .svg, or pictures (.png .jpg .tif .bmp .webp), which are traced; - reads from "
+         "standard input")
+      ->required();
+  app.add_option("--format", options.format, "What comes from standard input: svg, png or jpg")
+      ->check(CLI::IsMember({"svg", "png", "jpg"}));
+  app.add_option("--threads", line.threads, "Worker threads (default: all)")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  app.add_flag_callback(
+      "--quiet,-q", [&options] { options.verbosity = Verbosity::kQuiet; },
+      "No progress and no notes; warnings and errors stay");
+  app.allow_extras(false);
+}
+
+/// What the verbs have that try to understand the drawing.
 void AddShared(CLI::App& app, CommandLine& line) {
   CommandOptions& options = line.options;
-  app.add_option("SKETCH", options.sketches, "Drawings (.svg); - reads from standard input")
-      ->required();
-  app.add_option("--format", options.format, "What comes from standard input: svg")
-      ->check(CLI::IsMember({"svg"}));
+  AddInputs(app, line);
   app.add_option_function<std::vector<double>>(
          "--body",
          [&options](const std::vector<double>& xy) {
@@ -70,14 +89,7 @@ void AddShared(CLI::App& app, CommandLine& line) {
       ->delimiter(',')
       ->expected(2)
       ->type_name("X,Y");
-  app.add_option("--threads", line.threads, "Worker threads (default: all)")
-      ->check(CLI::Range(1, 1024))
-      ->type_name("N");
-  app.add_flag_callback(
-      "--quiet,-q", [&options] { options.verbosity = Verbosity::kQuiet; },
-      "No progress and no notes; warnings and errors stay");
   Refuse(app, "--overrides", "--body X,Y names the torso");
-  app.allow_extras(false);
 }
 
 void AddBuild(CLI::App& app, CommandLine& line) {
@@ -154,6 +166,17 @@ void AddInspect(CLI::App& app, CommandLine& line) {
   AddShared(app, line);
 }
 
+void AddTrace(CLI::App& app, CommandLine& line) {
+  app.add_option(
+         "-o,--output", line.options.outputs,
+         "A file to write: .svg (the curves, to be edited and built), .json (how good they are); "
+         "{} stands for the sketch's name")
+      ->type_name("FILE")
+      ->required()
+      ->take_all();
+  AddInputs(app, line);
+}
+
 std::string OneLine(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text;
@@ -169,9 +192,11 @@ std::variant<CommandLine, Answer> ParseCommandLine(std::vector<std::string> argu
   app.require_subcommand(1);
   CLI::App* build = app.add_subcommand("build", "Turns drawings into models");
   CLI::App* inspect = app.add_subcommand("inspect", "Shows how a drawing was read");
+  CLI::App* trace = app.add_subcommand("trace", "Turns the pen strokes of a picture into curves");
   CLI::App* render = app.add_subcommand("render", "Draws pictures of level sets");
   AddBuild(*build, line);
   AddInspect(*inspect, line);
+  AddTrace(*trace, line);
   AddRender(*render, line.render, line.threads);
   try {
     std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
@@ -187,7 +212,10 @@ std::variant<CommandLine, Answer> ParseCommandLine(std::vector<std::string> argu
                   fmt::format("lascaux: error: usage: {}; lascaux --help shows how\n",
                               OneLine(error.what()))};
   }
-  line.verb = inspect->parsed() ? Verb::kInspect : render->parsed() ? Verb::kRender : Verb::kBuild;
+  line.verb = inspect->parsed()  ? Verb::kInspect
+              : trace->parsed()  ? Verb::kTrace
+              : render->parsed() ? Verb::kRender
+                                 : Verb::kBuild;
   return line;
 }
 

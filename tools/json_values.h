@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lascaux/base/diagnostic.h"
+#include "lascaux/sketch/trace_picture.h"
 
 /// @file
 /// Values as JSON, written the same way in the report and in the parse dump.
@@ -28,6 +29,18 @@ inline Json RingJson(const std::vector<Eigen::Vector2d>& ring) {
 template <typename T>
 Json OrNull(const std::optional<T>& value) {
   return value ? Json(*value) : Json();
+}
+
+/// How a picture was traced; null for a drawing that needed no tracing.
+inline Json TraceJson(const std::optional<TraceFacts>& facts) {
+  if (!facts) return nullptr;
+  return {{"width", facts->width},
+          {"height", facts->height},
+          {"ink_width", facts->ink_width},
+          {"reduction", facts->reduction},
+          {"coverage", facts->coverage},
+          {"ink_regions", facts->ink_regions},
+          {"curve_regions", facts->curve_regions}};
 }
 
 inline Json DiagnosticsJson(const Diagnostics& diagnostics) {

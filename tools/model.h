@@ -15,6 +15,7 @@
 #include "lascaux/sketch/parts.h"
 #include "lascaux/sketch/planar_map.h"
 #include "lascaux/sketch/sketch.h"
+#include "lascaux/sketch/trace_picture.h"
 #include "lascaux/volume/check_mesh.h"
 #include "lascaux/volume/fidelity.h"
 #include "lascaux/volume/mesh.h"
@@ -43,6 +44,7 @@ struct GridFacts {
 struct Model {
   std::string file;  ///< the sketch as named on the command line
   std::optional<Sketch> sketch;
+  std::optional<TraceFacts> trace;  ///< of a picture
   std::optional<PlanarMap> map;
   std::optional<Parts> parts;
   std::optional<DepthGraph> graph;

@@ -31,8 +31,11 @@ constexpr std::array kInspectEndings = {Ending{".svg", OutputKind::kParsePicture
                                         Ending{".json", OutputKind::kParseDump}};
 constexpr std::array kRenderEndings = {Ending{".png", OutputKind::kPng},
                                        Ending{".exr", OutputKind::kExr}};
+constexpr std::array kTraceEndings = {Ending{".svg", OutputKind::kCurves},
+                                      Ending{".json", OutputKind::kTraceFacts}};
 constexpr std::string_view kBuildFormats = ".vdb .stl .ply .png .exr .json .svg";
 constexpr std::string_view kInspectFormats = ".svg .json";
+constexpr std::string_view kTraceFormats = ".svg .json";
 constexpr std::string_view kRenderFormats = ".png .exr";
 
 struct VerbFormats {
@@ -47,6 +50,8 @@ VerbFormats FormatsOf(Verb verb) {
       return {"inspect", kInspectEndings, kInspectFormats};
     case Verb::kRender:
       return {"render", kRenderEndings, kRenderFormats};
+    case Verb::kTrace:
+      return {"trace", kTraceEndings, kTraceFormats};
     case Verb::kBuild:
       break;
   }

@@ -20,7 +20,9 @@ enum class OutputKind : std::uint8_t {
   kExr,
   kReport,
   kParsePicture,
-  kParseDump
+  kParseDump,
+  kCurves,
+  kTraceFacts
 };
 
 /// True for the files that hold the model or show it; they don't appear when the build failed.
@@ -50,7 +52,7 @@ struct OutputTarget {
 bool HasLayers(const std::vector<OutputTarget>& targets);
 
 /// What the verbs of the program write: an ending stands for a format.
-enum class Verb : std::uint8_t { kBuild, kInspect, kRender };
+enum class Verb : std::uint8_t { kBuild, kInspect, kTrace, kRender };
 
 /// The formats that the names' endings ask for. Errors: "unknown-format", "stdout-output".
 Outcome<std::vector<OutputRequest>> ReadOutputNames(Verb verb,

@@ -8,7 +8,10 @@ namespace lascaux {
 namespace {
 
 Json SketchJson(const Model& model) {
-  Json json = {{"file", model.file}, {"strokes", nullptr}, {"bounds", nullptr}};
+  Json json = {{"file", model.file},
+               {"strokes", nullptr},
+               {"bounds", nullptr},
+               {"trace", TraceJson(model.trace)}};
   if (!model.sketch) return json;
   json["strokes"] = model.sketch->strokes.size();
   const Eigen::AlignedBox2d box = Bounds(*model.sketch);

@@ -26,7 +26,8 @@ class Run {
       : bytes_(bytes), options_(options), execution_(execution) {}
 
   void Go() {
-    const bool understood = Read() && Understand() && ExtractSkeleton() && Fit();
+    if (!Read() || options_.last == LastStage::kSketch) return;
+    const bool understood = Understand() && ExtractSkeleton() && Fit();
     if (!understood || options_.last == LastStage::kCreature) return;
     if (!MakeVolume() || !MakeMesh() || !Measure()) return;
     if (options_.last == LastStage::kPreview) RenderPreview();
@@ -55,7 +56,17 @@ class Run {
   bool Read() {
     const Stopwatch watch(model_.timings, "read");
     execution_.Report("reading", 0);
-    return Keep(ReadSvg(bytes_, options_.read), model_.sketch);
+    return IsPicture(bytes_) ? Trace() : Keep(ReadSvg(bytes_, options_.read), model_.sketch);
+  }
+
+  bool Trace() {
+    std::optional<Bitmap> picture;
+    if (!Keep(ReadPicture(bytes_, options_.picture), picture)) return false;
+    std::optional<TracedPicture> traced;
+    if (!Keep(TracePicture(*picture, options_.trace, execution_), traced)) return false;
+    model_.sketch = std::move(traced->sketch);
+    model_.trace = traced->facts;
+    return true;
   }
 
   bool Understand() {

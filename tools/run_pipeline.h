@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "lascaux/base/execution.h"
+#include "lascaux/io/read_picture.h"
 #include "lascaux/skeleton/fit.h"
 #include "lascaux/sketch/read_svg.h"
+#include "lascaux/sketch/trace_picture.h"
 #include "lascaux/volume/render_options.h"
 #include "model.h"
 
@@ -15,6 +17,7 @@ namespace lascaux {
 
 /// How far to go.
 enum class LastStage : std::uint8_t {
+  kSketch,    ///< the drawing is read, a picture traced
   kCreature,  ///< the drawing is understood: parts, depth, skeletons
   kMesh,      ///< the model is built and measured
   kPreview,   ///< and a picture of it is rendered
@@ -35,6 +38,8 @@ struct PreviewOptions {
 /// The options of every stage, and what no single stage owns.
 struct PipelineOptions {
   ReadSvgOptions read;
+  ReadPictureOptions picture;
+  TracePictureOptions trace;
   BuildPlanarMapOptions map;
   FindPartsOptions parts;
   OrderByDepthOptions depth;
@@ -53,9 +58,10 @@ struct PipelineOptions {
   double VoxelSize() const { return voxel_size.value_or(size / resolution); }
 };
 
-/// Takes the bytes of an SVG drawing through the stages. Stops at the first error and keeps what
-/// was found until then; the diagnostics say what happened. Never throws: memory that runs out is
-/// the error "out-of-memory", anything else that a library throws is "internal-error".
+/// Takes the bytes of a drawing, an SVG document or a picture, through the stages. Stops at the
+/// first error and keeps what was found until then; the diagnostics say what happened. Never
+/// throws: memory that runs out is the error "out-of-memory", anything else that a library throws
+/// is "internal-error".
 ///
 /// A mesh that is not printable is an error "mesh-not-printable" and stays in the model with its
 /// facts.

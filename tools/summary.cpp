@@ -21,6 +21,15 @@ std::string PartsSentence(const DepthGraph& graph) {
                      pairs == 1 ? "" : "s");
 }
 
+std::string StrokesSentence(const Model& model) {
+  std::string text = fmt::format("{} strokes", model.sketch->strokes.size());
+  if (model.trace)
+    text += fmt::format(" of a pen {:.1f} pixels wide, which cover {:.1f} % of the ink; {} regions",
+                        model.trace->ink_width, 100 * model.trace->coverage,
+                        model.trace->curve_regions);
+  return text;
+}
+
 std::string MeshSentence(const Model& model) {
   Eigen::AlignedBox3f box;
   for (const Eigen::Vector3f& vertex : model.mesh->vertices) box.extend(vertex);
@@ -37,7 +46,7 @@ std::string MeshSentence(const Model& model) {
 }  // namespace
 
 Diagnostic Summary(const Model& model, const std::vector<OutputTarget>& targets) {
-  std::string text = PartsSentence(*model.graph);
+  std::string text = model.graph ? PartsSentence(*model.graph) : StrokesSentence(model);
   if (model.mesh) text += "; " + MeshSentence(model);
   const char* separator = "; wrote ";
   for (const OutputTarget& target : targets) {
@@ -45,6 +54,7 @@ Diagnostic Summary(const Model& model, const std::vector<OutputTarget>& targets)
     separator = ", ";
   }
   if (targets.empty()) text += "; nothing was asked to be written (-o FILE)";
+  if (!model.graph) return Note("traced", text);
   return model.mesh ? Note("built", text) : Note("understood", text);
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iterator>
 
+#include "curves_file.h"
 #include "grid.h"
 #include "grid_plugin.h"
 #include "lascaux/io/output_file.h"
@@ -40,6 +41,10 @@ Diagnostics Write(const Model& model, OutputKind kind, const std::filesystem::pa
       return WriteBytes(path, ParsePictureText(model));
     case OutputKind::kParseDump:
       return WriteBytes(path, ParseDumpText(model));
+    case OutputKind::kCurves:
+      return WriteBytes(path, CurvesText(model));
+    case OutputKind::kTraceFacts:
+      return WriteBytes(path, TraceFactsText(model));
     case OutputKind::kReport:
       break;
   }

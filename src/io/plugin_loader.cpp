@@ -43,15 +43,17 @@ Outcome<ImagePlugin> LoadImagePlugin(const std::vector<std::filesystem::path>& f
     }
     void* const library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     ImagePlugin plugin;
-    if (library != nullptr && Find(library, LASCAUX_ENCODE_EXR, plugin.encode_exr)) {
+    if (library != nullptr && Find(library, LASCAUX_ENCODE_EXR, plugin.encode_exr) &&
+        Find(library, LASCAUX_DECODE, plugin.decode)) {
       return plugin;
     }
     reasons += fmt::format(", {}", dlerror());
   }
   return Outcome<ImagePlugin>::Failure(Error(
       FailureKind::kOutput, "image-plugin-missing",
-      fmt::format(".exr needs the plugin {}: {}; install it again with the program, or ask for "
-                  ".png",
+      fmt::format("pictures to be read, and .exr, need the plugin {}: {}; install it again with "
+                  "the program, or do without "
+                  "them",
                   kPluginFile, reasons.empty() ? "no folder to look in" : reasons.substr(2))));
 }
 

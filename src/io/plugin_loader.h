@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "io/image_plugin/decode.h"
 #include "io/image_plugin/image_plugin.h"
 #include "lascaux/base/outcome.h"
 
@@ -15,6 +16,7 @@ std::vector<std::filesystem::path> PluginFolders();
 /// What the plugin can do.
 struct ImagePlugin {
   LascauxEncodeExr encode_exr = nullptr;
+  LascauxDecode decode = nullptr;
 };
 
 /// The plugin from the first folder that has it, whole. It is never unloaded. Error:

@@ -79,7 +79,7 @@ class CommandTest(ProgramTest):
         for arguments in ([], ["build"], ["build", CAT, "--wings", "2"], ["paint", CAT],
                           ["build", CAT, "-o", "-"], ["build", CAT, "-o", self.folder / "cat.glb"],
                           ["build", CAT, "--pose", "drawn"], ["build", CAT, "--overrides", "x"],
-                          ["build", CAT, "-o", CAT], ["build", "photo.jpg"], ["inspect", CAT],
+                          ["build", CAT, "-o", CAT], ["inspect", CAT],
                           ["build", CAT, "--voxel-size", "1e-5"]):
             process = run(*arguments)
             with self.subTest(arguments=arguments):

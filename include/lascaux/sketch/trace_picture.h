@@ -2,7 +2,7 @@
 
 #include "lascaux/base/execution.h"
 #include "lascaux/base/outcome.h"
-#include "lascaux/sketch/picture.h"
+#include "lascaux/sketch/bitmap.h"
 #include "lascaux/sketch/sketch.h"
 
 /// @file
@@ -63,7 +63,7 @@ inline constexpr double kTraceGrid = 1e-4;
 /// Errors (input): "empty-page", no ink; "no-drawing", what is dark are no lines; "too-large".
 /// Warning: "trace-incomplete" when the curves cover less than 99 % of the ink or cut the page into
 /// another number of regions, with the place of the largest miss.
-Outcome<TracedPicture> TracePicture(const Picture& picture, const TracePictureOptions& options = {},
+Outcome<TracedPicture> TracePicture(const Bitmap& picture, const TracePictureOptions& options = {},
                                     const Execution& execution = {});
 
 }  // namespace lascaux

@@ -8,6 +8,7 @@
 
 #include "sketch/trace/centre.h"
 #include "sketch/trace/clusters.h"
+#include "sketch/trace/stubs.h"
 
 namespace lascaux::trace {
 namespace {
@@ -20,85 +21,8 @@ constexpr double kMostCut = 0.4;         // of a branch's length at each of its 
 constexpr double kMostUnmeasured = 1;    // widths more that are cut where ink has no two sides
 constexpr double kLongestExtension = 5;  // in widths: lines at 10 degrees part after that
 constexpr double kBend = 0.25;           // radians that cost as much as being twice as far away
+constexpr double kMeet = 1;              // pixels: bars that are nearer cross or touch
 constexpr double kLongestTip = 3;        // in widths: of a corner of 20 degrees
-
-double Angle(const Vector2d& a, const Vector2d& b) {
-  return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
-}
-
-double Cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-/// Where a branch is cut off at one of its ends, and the direction in which it arrives there.
-struct Stub {
-  std::size_t cut = 0;  ///< points before this one, counted from the end, go
-  Vector2d at = Vector2d::Zero(), toward = Vector2d::Zero();
-};
-
-/// The points of a branch seen from one of its ends.
-class FromEnd {
- public:
-  FromEnd(const Points& points, int end) : points_(points), end_(end) {}
-  std::size_t size() const { return points_.size(); }
-  const Vector2d& operator[](std::size_t i) const {
-    return end_ == 0 ? points_[i] : points_[points_.size() - 1 - i];
-  }
-
- private:
-  const Points& points_;
-  int end_;
-};
-
-/// The derivative at the first of the points, from a parabola through them over their arc length;
-/// from a line when they are few. Points inward: against the direction of the points.
-Vector2d TangentToward(const FromEnd& points, std::size_t first, double stretch) {
-  constexpr std::size_t kEnoughForParabola = 6;
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Eigen::Matrix<double, 3, 2> right = Eigen::Matrix<double, 3, 2>::Zero();
-  double s = 0;
-  std::size_t i = first, count = 0;
-  for (; i < points.size() && s <= stretch; ++i, ++count) {
-    const Eigen::Vector3d basis(1, s, s * s);
-    normal += basis * basis.transpose();
-    right += basis * points[i].transpose();
-    if (i + 1 < points.size()) s += (points[i + 1] - points[i]).norm();
-  }
-  Vector2d along = points[std::min(i, points.size()) - 1] - points[first];
-  if (count >= kEnoughForParabola) {
-    const Eigen::Matrix<double, 3, 2> fit = normal.fullPivLu().solve(right);
-    const Vector2d slope = fit.row(1);
-    if (slope.allFinite() && slope.dot(along) > 0) along = slope;
-  }
-  return along.norm() > 1e-9 ? Vector2d(-along.normalized()) : Vector2d::Zero();
-}
-
-/// A smooth curve from one stub to another, about a pixel a step, both ends left out.
-Points Bridge(const Stub& a, const Stub& b) {
-  const double chord = (b.at - a.at).norm();
-  const CubicBezier curve{{a.at, a.at + chord / 3 * a.toward, b.at + chord / 3 * b.toward, b.at}};
-  const int steps = std::max(1, static_cast<int>(std::ceil(chord)));
-  Points points;
-  for (int i = 1; i < steps; ++i) points.push_back(curve.At(static_cast<double>(i) / steps));
-  return points;
-}
-
-/// Points on a straight line, about a pixel a step, `a` left out.
-void AppendStraight(const Vector2d& a, const Vector2d& b, Points& points) {
-  const int steps = std::max(1, static_cast<int>(std::ceil((b - a).norm())));
-  for (int i = 1; i <= steps; ++i) points.push_back(a + (b - a) * (static_cast<double>(i) / steps));
-}
-
-Vector2d NearestOn(const Points& line, const Vector2d& point) {
-  Vector2d best = line.front();
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    const Vector2d step = line[i] - line[i - 1];
-    const double length2 = step.squaredNorm();
-    const double t =
-        length2 > 0 ? std::clamp((point - line[i - 1]).dot(step) / length2, 0.0, 1.0) : 0;
-    const Vector2d foot = line[i - 1] + t * step;
-    if ((foot - point).squaredNorm() < (best - point).squaredNorm()) best = foot;
-  }
-  return best;
-}
 
 /// What becomes of an end of a branch.
 struct Joint {
@@ -137,6 +61,15 @@ class Solver {
           Follow(2 * b);
         }
       }
+    for (const Link& link : links_) {
+      const int id = static_cast<int>(lines_.size());
+      Line line{
+          .points = Straight(link.a, link.b), .width = link.width, .closed = false, .ends = {}};
+      line.points.insert(line.points.begin(), link.a);
+      lines_.push_back(std::move(line));
+      pending_.push_back({id, 0, link.on_a});
+      pending_.push_back({id, 1, link.on_b});
+    }
     for (auto& [line, end, bar] : pending_)
       lines_[static_cast<std::size_t>(line)].ends[end].on_line =
           line_of_[static_cast<std::size_t>(bar / 2)];
@@ -169,10 +102,31 @@ class Solver {
     for (const int e : ends) Cut(e, center, radius, 2 * half_width);
     if (ends.size() == 3 && SharpCorner(ends, 2 * half_width)) return;
     const std::vector<int> stems = PairUp(ends);
-    if (stems.size() == ends.size())
-      MeetInOnePoint(stems, center, radius);
-    else
-      EndOnBars(stems, ends, 2 * half_width);
+    if (stems.size() == ends.size()) return MeetInOnePoint(stems, center, radius);
+    EndOnBars(stems, ends, 2 * half_width);
+    LinkBars(ends, 2 * half_width);
+  }
+
+  /// Lines whose inks touch, and which both go on without meeting, are linked where they are
+  /// nearest: what they enclose together stays enclosed.
+  void LinkBars(const std::vector<int>& ends, double width) {
+    std::vector<int> linked;
+    for (const int e : ends) {
+      if (JointOf(e).partner < e) continue;  // each bar once
+      Link best;
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const int other : linked) {
+        const Points line = Around(other);
+        for (const Vector2d& p : Around(e)) {
+          const Vector2d foot = NearestOn(line, p);
+          if ((foot - p).norm() >= nearest) continue;
+          nearest = (foot - p).norm();
+          best = {p, foot, e, other, width};
+        }
+      }
+      if (!linked.empty() && nearest > kMeet && IsInk(best.a, best.b)) links_.push_back(best);
+      linked.push_back(e);
+    }
   }
 
   void Cut(int end, const Vector2d& center, double radius, double width) {
@@ -254,10 +208,9 @@ class Solver {
       const double t = Cross(sb.at - sa.at, sb.toward) / across;
       const Vector2d apex = sa.at + t * sa.toward;
       if (t <= 0 || (apex - tip).norm() > width) continue;
-      Points onward;
-      AppendStraight(sa.at, apex, onward);
-      AppendStraight(apex, sb.at, onward);
-      onward.pop_back();
+      Points onward = Straight(sa.at, apex);
+      const Points second = Straight(apex, sb.at);
+      onward.insert(onward.end(), second.begin(), second.end() - 1);
       Join(a, b, std::move(onward));
       dropped_[static_cast<std::size_t>(ends[k] / 2)] = true;
       return true;
@@ -278,7 +231,7 @@ class Solver {
     }
     Vector2d point = normal.inverse() * right;
     if (!((point - center).norm() <= radius)) point = center;
-    for (const int e : stems) AppendStraight(StubOf(e).at, point, JointOf(e).onward);
+    for (const int e : stems) JointOf(e).onward = Straight(StubOf(e).at, point);
   }
 
   /// Stems end on bars, or on stems that end already, the nearest first; where another one ends
@@ -300,7 +253,7 @@ class Solver {
         if ((other.at - best.at).norm() < width) best = other;
       const int stem = stems[which];
       JointOf(stem).bar = best.on;
-      AppendStraight(StubOf(stem).at, best.at, JointOf(stem).onward);
+      JointOf(stem).onward = Straight(StubOf(stem).at, best.at);
       landings.push_back(best);
       targets.push_back(stem);
       stems.erase(stems.begin() + static_cast<std::ptrdiff_t>(which));
@@ -431,6 +384,12 @@ class Solver {
   struct Pending {
     int line, end, bar;
   };
+  /// A short line between two bars, each known by one of its ends.
+  struct Link {
+    Vector2d a = Vector2d::Zero(), b = Vector2d::Zero();
+    int on_a = -1, on_b = -1;
+    double width = 0;
+  };
 
   const InkGraph& graph_;
   const Tone& coverage_;
@@ -442,6 +401,7 @@ class Solver {
   std::vector<int> line_of_;
   std::vector<Line> lines_;
   std::vector<Pending> pending_;
+  std::vector<Link> links_;
 };
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 namespace lascaux::trace {
 
-Tone LightnessOf(const Picture& picture, int reduction) {
+Tone LightnessOf(const Bitmap& picture, int reduction) {
   const int width = (picture.width + reduction - 1) / reduction;
   const int height = (picture.height + reduction - 1) / reduction;
   Tone tone(width, height);

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "lascaux/sketch/picture.h"
+#include "lascaux/sketch/bitmap.h"
 #include "sketch/trace/plane.h"
 
 namespace lascaux::trace {
 
 /// Lightness of a picture on a white page, 0 (ink) to 1: the mean of each `reduction` by
 /// `reduction` pixels. Luma of the sRGB values, which are about as even to the eye.
-Tone LightnessOf(const Picture& picture, int reduction);
+Tone LightnessOf(const Bitmap& picture, int reduction);
 
 /// `factor` times as many pixels along each side, bilinear.
 Tone Enlarged(const Tone& tone, int factor);

@@ -38,7 +38,7 @@ struct Scale {
   double Pixels() const { return static_cast<double>(reduction) / enlargement; }
 };
 
-Tone LightnessAt(const Picture& picture, const Scale& scale) {
+Tone LightnessAt(const Bitmap& picture, const Scale& scale) {
   Tone tone = trace::Enlarged(trace::LightnessOf(picture, scale.reduction), scale.enlargement);
   if (trace::IsDarkPage(tone))
     for (float& v : tone.data) v = 1 - v;
@@ -79,7 +79,7 @@ Diagnostic NoDrawing(const std::string& why) {
 }
 
 /// Why there are no lines: nothing, or something else, is on the page.
-Diagnostic NoInk(const Picture& picture) {
+Diagnostic NoInk(const Bitmap& picture) {
   const double pixels = static_cast<double>(picture.width) * picture.height;
   const int reduction = static_cast<int>(std::ceil(std::sqrt(pixels / kFirstPixels)));
   const double contrast = trace::ContrastOf(LightnessAt(picture, {std::max(1, reduction), 1}));
@@ -87,7 +87,7 @@ Diagnostic NoInk(const Picture& picture) {
 }
 
 /// Looks for ink at a moderate size, then once more at the size that its width asks for.
-std::optional<Found> FindInkAtItsScale(const Picture& picture) {
+std::optional<Found> FindInkAtItsScale(const Bitmap& picture) {
   const double pixels = static_cast<double>(picture.width) * picture.height;
   const Scale first{std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / kFirstPixels)))), 1};
   auto ink = FindInk(LightnessAt(picture, first), {});
@@ -116,7 +116,7 @@ Stroke Scaled(Stroke stroke, double factor) {
 
 }  // namespace
 
-Outcome<TracedPicture> TracePicture(const Picture& picture, const TracePictureOptions& options,
+Outcome<TracedPicture> TracePicture(const Bitmap& picture, const TracePictureOptions& options,
                                     const Execution& execution) {
   using Result = Outcome<TracedPicture>;
   assert(picture.rgba.size() == std::size_t{4} * static_cast<std::size_t>(picture.width) *

@@ -16,8 +16,8 @@ namespace lascaux::testing {
 
 /// The first byte is the width (8 to 135), the second says whether there is colour and alpha, the
 /// rest are the pixels.
-inline Picture PictureOf(std::string_view bytes) {
-  Picture picture;
+inline Bitmap PictureOf(std::string_view bytes) {
+  Bitmap picture;
   if (bytes.size() < 2) return picture;
   const auto at = [&](std::size_t i) { return static_cast<std::uint8_t>(bytes[i]); };
   picture.width = 8 + at(0) % 128;
@@ -36,7 +36,7 @@ inline Picture PictureOf(std::string_view bytes) {
 inline std::string WrongWithTraceOf(std::string_view bytes) {
   constexpr std::array<std::string_view, 4> kCodes = {"empty-page", "no-drawing", "too-large",
                                                       "trace-incomplete"};
-  const Picture picture = PictureOf(bytes);
+  const Bitmap picture = PictureOf(bytes);
   const auto outcome = TracePicture(picture);
   for (const Diagnostic& d : outcome.diagnostics()) {
     if (std::find(kCodes.begin(), kCodes.end(), d.code) == kCodes.end())

@@ -24,7 +24,7 @@ std::vector<Vector2d> PointsOf(const Stroke& stroke, double tolerance) {
 }
 
 template <typename Change>
-Picture Changed(Picture picture, Change change) {
+Bitmap Changed(Bitmap picture, Change change) {
   for (int y = 0; y < picture.height; ++y)
     for (int x = 0; x < picture.width; ++x)
       for (std::size_t c = 0; c < 3; ++c) {
@@ -86,8 +86,8 @@ void Page::Blot(const Vector2d& center, double radius) {
     }
 }
 
-Picture Page::Seen(double darkness) const {
-  Picture picture{width, height, {}};
+Bitmap Page::Seen(double darkness) const {
+  Bitmap picture{width, height, {}};
   for (std::size_t i = 0; i < ink.size(); ++i) {
     for (std::size_t c = 0; c < 3; ++c)
       picture.rgba.push_back(static_cast<std::uint8_t>(std::lround(
@@ -97,7 +97,7 @@ Picture Page::Seen(double darkness) const {
   return picture;
 }
 
-Picture Unevenly(Picture picture) {
+Bitmap Unevenly(Bitmap picture) {
   const double w = picture.width, h = picture.height;
   return Changed(std::move(picture), [&](int x, int y, std::size_t, double v) {
     const double fall = 0.45 + 0.55 * (1 - 0.5 * (x / w + y / h));
@@ -106,7 +106,7 @@ Picture Unevenly(Picture picture) {
   });
 }
 
-Picture Grainy(Picture picture, double deviation, Random& random) {
+Bitmap Grainy(Bitmap picture, double deviation, Random& random) {
   return Changed(std::move(picture), [&](int, int, std::size_t, double v) {
     double sum = 0;
     for (int i = 0; i < 4; ++i) sum += random.Uniform(-1, 1);
@@ -114,8 +114,8 @@ Picture Grainy(Picture picture, double deviation, Random& random) {
   });
 }
 
-Picture Blurry(Picture picture, int radius) {
-  const Picture sharp = picture;
+Bitmap Blurry(Bitmap picture, int radius) {
+  const Bitmap sharp = picture;
   return Changed(std::move(picture), [&](int x, int y, std::size_t c, double) {
     double sum = 0;
     int count = 0;
@@ -127,8 +127,8 @@ Picture Blurry(Picture picture, int radius) {
   });
 }
 
-Picture Blocky(Picture picture, double step) {
-  const Picture sharp = picture;
+Bitmap Blocky(Bitmap picture, double step) {
+  const Bitmap sharp = picture;
   return Changed(std::move(picture), [&](int x, int y, std::size_t c, double v) {
     const int x0 = x / 8 * 8, y0 = y / 8 * 8;
     double sum = 0;

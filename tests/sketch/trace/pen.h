@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "lascaux/sketch/picture.h"
+#include "lascaux/sketch/bitmap.h"
 #include "lascaux/sketch/sketch.h"
 #include "support/cases.h"
 
@@ -26,7 +26,7 @@ class Page {
   void Blot(const Eigen::Vector2d& center, double radius);
 
   /// Ink of this darkness on what is painted, seen in even light.
-  Picture Seen(double ink = 0.05) const;
+  Bitmap Seen(double ink = 0.05) const;
 
   int width, height;
   std::vector<double> ink;                    ///< 0 to 1 a pixel
@@ -34,12 +34,12 @@ class Page {
 };
 
 /// The same picture in light that falls off towards a corner, with a soft shadow across.
-Picture Unevenly(Picture picture);
+Bitmap Unevenly(Bitmap picture);
 /// With grain of this deviation (of 255), and out of focus by about this many pixels.
-Picture Grainy(Picture picture, double deviation, Random& random);
-Picture Blurry(Picture picture, int radius);
+Bitmap Grainy(Bitmap picture, double deviation, Random& random);
+Bitmap Blurry(Bitmap picture, int radius);
 /// As 8 x 8 blocks whose fine differences are rounded to multiples of `step`, as in JPEG.
-Picture Blocky(Picture picture, double step);
+Bitmap Blocky(Bitmap picture, double step);
 
 /// The sketch as a pen of this width draws it on a page of this size, with a margin.
 Sketch Placed(Sketch sketch, const Eigen::Vector2d& page, double width);

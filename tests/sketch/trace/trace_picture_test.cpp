@@ -34,7 +34,7 @@ Stroke Penned(Stroke stroke, double width) {
   return stroke;
 }
 
-Sketch Traced(const Picture& picture) {
+Sketch Traced(const Bitmap& picture) {
   const auto traced = TracePicture(picture);
   EXPECT_TRUE(traced.ok());
   return traced.ok() ? traced->sketch : Sketch{};
@@ -59,7 +59,7 @@ Sketch Example(const std::string& name, const Vector2d& page, double width) {
   return Placed(*ReadSvg(bytes), page, width);
 }
 
-std::string FirstError(const Picture& picture, const TracePictureOptions& options = {}) {
+std::string FirstError(const Bitmap& picture, const TracePictureOptions& options = {}) {
   const auto traced = TracePicture(picture, options);
   return traced.ok() ? "" : traced.diagnostics().front().code;
 }
@@ -156,16 +156,16 @@ TEST(TracePicture, WhatCamerasDoMovesNoLine) {
     const Sketch drawn = Example(name, {760, 620}, width);
     Page page(760, 620);
     page.Draw(drawn);
-    const Picture clean = page.Seen();
+    const Bitmap clean = page.Seen();
     const auto best = TracePicture(clean);
     ASSERT_TRUE(best.ok()) << name;
     EXPECT_GE(best->facts.coverage, 0.99) << name;
     EXPECT_EQ(best->facts.curve_regions, best->facts.ink_regions) << name;
     Random random(7);
-    const Picture bad[] = {Unevenly(clean), Grainy(Blurry(Unevenly(clean), 1), 6, random),
-                           Blocky(Blurry(clean, 1), 24), Unevenly(page.Seen(0.6))};
+    const Bitmap bad[] = {Unevenly(clean), Grainy(Blurry(Unevenly(clean), 1), 6, random),
+                          Blocky(Blurry(clean, 1), 24), Unevenly(page.Seen(0.6))};
     EXPECT_LT(Distance(best->sketch, drawn, width), kOverlap) << name;
-    for (const Picture& picture : bad) {
+    for (const Bitmap& picture : bad) {
       const auto traced = TracePicture(picture);
       ASSERT_TRUE(traced.ok()) << name;
       EXPECT_LT(Distance(traced->sketch, drawn, width), kOverlap) << name;
@@ -213,14 +213,14 @@ TEST(TracePicture, ChalkOnABoardAndInkOnNothingAreInk) {
   const Stroke circle = Penned(Circle({100, 100}, 70), 6);
   Page page(200, 200);
   page.Draw(circle);
-  Picture chalk = page.Seen(0), film = chalk;
+  Bitmap chalk = page.Seen(0), film = chalk;
   for (std::size_t i = 0; i < chalk.rgba.size(); i += 4)
     for (std::size_t c = 0; c < 3; ++c) {
       chalk.rgba[i + c] = static_cast<std::uint8_t>(255 - chalk.rgba[i + c]);
       film.rgba[i + 3] = static_cast<std::uint8_t>(std::lround(255 * page.ink[i / 4]));
       film.rgba[i + c] = 0;
     }
-  for (const Picture& picture : {chalk, film})
+  for (const Bitmap& picture : {chalk, film})
     EXPECT_LT(Distance(Traced(picture), SketchOf(circle), 6), 0.15);
 }
 
@@ -240,8 +240,8 @@ TEST(TracePicture, SizeOfThePictureDoesNotMatter) {
 
 TEST(TracePicture, PagesWithoutInkAreEmpty) {
   Random random(3);
-  const Picture blank = Page(300, 200).Seen();
-  for (const Picture& page :
+  const Bitmap blank = Page(300, 200).Seen();
+  for (const Bitmap& page :
        {blank, Unevenly(blank), Grainy(Unevenly(blank), 4, random), Page(3, 3).Seen()})
     EXPECT_EQ(FirstError(page), "empty-page");
 }
@@ -260,7 +260,7 @@ TEST(TracePicture, TexturesAreNoDrawing) {
         sum[static_cast<std::size_t>(y * side + x)] +=
             std::sqrt(cell) * grid[static_cast<std::size_t>(y / cell * n + x / cell)];
   }
-  Picture picture{side, side, {}};
+  Bitmap picture{side, side, {}};
   for (const double v : sum) {
     const auto level = static_cast<std::uint8_t>(std::clamp(128 + 10 * v, 0.0, 255.0));
     picture.rgba.insert(picture.rgba.end(), {level, level, level, 255});

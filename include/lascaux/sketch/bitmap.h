@@ -12,11 +12,11 @@ namespace lascaux {
 ///
 /// Invariant: rgba.size() == 4 * width * height. The centre of pixel (x, y) is the sketch point
 /// (x + 0.5, y + 0.5).
-struct Picture {
+struct Bitmap {
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgba;
 
-  bool operator==(const Picture&) const = default;
+  bool operator==(const Bitmap&) const = default;
 };
 
 }  // namespace lascaux
