@@ -154,7 +154,14 @@ ExitCode RunCommand(Verb verb, const CommandOptions& options, const Execution& e
     const Job job{options.sketches[i], (*plan)[i], LastStageFor(verb, (*plan)[i])};
     worst = Worse(worst, RunJob(job, options, execution));
   }
-  return execution.IsCancelled() ? Worse(worst, ExitCode::kInterrupted) : worst;
+  if (!execution.IsCancelled()) return worst;
+  if (worst != ExitCode::kInterrupted) {  // between two sketches, or before the first
+    PrintMessages(
+        stderr, kProgram,
+        {Error(FailureKind::kInterrupted, "cancelled", "interrupted; nothing more was written")},
+        options.verbosity);
+  }
+  return Worse(worst, ExitCode::kInterrupted);
 }
 
 }  // namespace lascaux
