@@ -8,6 +8,7 @@
 #include "grid_plugin.h"
 #include "lascaux/io/content_hash.h"
 #include "lascaux/io/read_file.h"
+#include "overrides.h"
 #include "progress.h"
 #include "settle.h"
 #include "stopwatch.h"
@@ -33,6 +34,10 @@ Diagnostics CheckInputs(const CommandOptions& options) {
   }
   if (std::count(options.sketches.begin(), options.sketches.end(), "-") > 1)
     errors.push_back(Usage("usage", "-: standard input can be read only once"));
+  if (!options.overrides.empty() && options.sketches.size() > 1)
+    errors.push_back(Usage("usage",
+                           "--overrides: the numbers in it belong to one drawing; build each "
+                           "with its own"));
   return errors;
 }
 
@@ -93,6 +98,16 @@ bool NeedsOpenVdb(const std::vector<OutputTarget>& targets) {
   });
 }
 
+/// The stages' options, with the file of --overrides if there is one.
+Outcome<PipelineOptions> PipelineOptionsOf(const CommandOptions& options) {
+  constexpr std::size_t kMostBytes = std::size_t{16} << 20;  // a thousand times what anybody writes
+  if (options.overrides.empty()) return options.pipeline;
+  Diagnostics log;
+  const auto text = ReadBytes(options.overrides, {.max_bytes = kMostBytes}).MoveInto(log);
+  if (!text) return Outcome<PipelineOptions>::Failure(std::move(log));
+  return WithOverrides(options.pipeline, *text);
+}
+
 /// Reads, builds and writes. What went wrong is in the model's diagnostics.
 Model Make(const Job& job, const CommandOptions& options, const Execution& execution) {
   Model model;
@@ -105,10 +120,11 @@ Model Make(const Job& job, const CommandOptions& options, const Execution& execu
                 .MoveInto(model.diagnostics);
   }
   if (!bytes) return model;
-  PipelineOptions pipeline = options.pipeline;
-  pipeline.last = job.last;
-  if (HasLayers(job.targets)) pipeline.preview.render.layers = Layers::kAll;
-  model = RunPipeline(*bytes, pipeline, execution);
+  auto pipeline = PipelineOptionsOf(options).MoveInto(model.diagnostics);
+  if (!pipeline) return model;
+  pipeline->last = job.last;
+  if (HasLayers(job.targets)) pipeline->preview.render.layers = Layers::kAll;
+  model = RunPipeline(*bytes, *pipeline, execution);
   model.file = job.sketch;
   model.timings.stages.front().second += reading.stages.front().second;
 

@@ -18,6 +18,7 @@ struct CommandOptions {
   std::vector<std::string> reports;   ///< values of --report
   std::string format;                 ///< of what comes from standard input: "svg", "png" or "jpg"
   Verbosity verbosity = Verbosity::kAll;
+  std::string overrides;  ///< a file of corrections; empty for none
   PipelineOptions pipeline;
   WriteOptions write;
 };

@@ -45,16 +45,6 @@ CLI::Validator Between(double least, double most) {
       "");
 }
 
-/// An option of a version to come: says so and what there is instead.
-void Refuse(CLI::App& app, const std::string& name, const std::string& instead) {
-  app.add_option_function<std::string>(name,
-                                       [name, instead](const std::string&) {
-                                         throw CLI::ValidationError(name,
-                                                                    "is not supported; " + instead);
-                                       })
-      ->group("");
-}
-
 /// What every verb has.
 void AddInputs(CLI::App& app, CommandLine& line) {
   CommandOptions& options = line.options;
@@ -89,7 +79,10 @@ void AddShared(CLI::App& app, CommandLine& line) {
       ->delimiter(',')
       ->expected(2)
       ->type_name("X,Y");
-  Refuse(app, "--overrides", "--body X,Y names the torso");
+  app.add_option("--overrides", options.overrides,
+                 "What you know better, as JSON: body, pairs, cuts, strokes to ignore "
+                 "(docs/overrides.md); inspect shows the numbers to write there")
+      ->type_name("FILE");
 }
 
 void AddBuild(CLI::App& app, CommandLine& line) {

@@ -43,20 +43,6 @@ const char* Name(PartKind kind) {
   return "inner";
 }
 
-const char* Name(LimbEvidence evidence) {
-  switch (evidence) {
-    case LimbEvidence::kTwoCurves:
-      return "two-curves";
-    case LimbEvidence::kOneCurve:
-      return "one-curve";
-    case LimbEvidence::kFarSide:
-      return "far-side";
-    case LimbEvidence::kNeck:
-      break;
-  }
-  return "neck";
-}
-
 const char* Name(OutlineKind kind) {
   switch (kind) {
     case OutlineKind::kDrawn:

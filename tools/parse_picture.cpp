@@ -55,6 +55,7 @@ std::string ParsePictureText(const Model& model) {
   text += JunctionsLayer(model, style);
   text += BodyLayer(model, style);
   text += LabelsLayer(model, style);
+  text += StrokeNumbersLayer(model, style);
   text += DiagnosticsLayer(model, style);
   return text + legend.text + "</svg>\n";
 }

@@ -215,6 +215,25 @@ std::string LabelsLayer(const Model& model, const PictureStyle& style) {
       text);
 }
 
+std::string StrokeNumbersLayer(const Model& model, const PictureStyle& style) {
+  if (!model.sketch) return {};
+  const SvgNumbers& n = style.numbers;
+  std::string text;
+  for (std::size_t i = 0; i < model.sketch->strokes.size(); ++i) {
+    const Stroke& stroke = model.sketch->strokes[i];
+    if (stroke.pieces.empty()) continue;
+    const Eigen::Vector2d at = stroke.pieces[stroke.pieces.size() / 2].At(0.5);
+    text += fmt::format("<text x=\"{}\" y=\"{}\">s{}</text>\n", n(at.x()),
+                        n(at.y() + 0.4 * style.unit), i);
+  }
+  return Group("stroke-numbers",
+               fmt::format("font-family=\"sans-serif\" font-size=\"{}\" text-anchor=\"middle\" "
+                           "fill=\"#5a6472\" stroke=\"#ffffff\" stroke-width=\"{}\" "
+                           "paint-order=\"stroke\" stroke-linejoin=\"round\"",
+                           n(1.1 * style.unit), n(0.3 * style.unit)),
+               text);
+}
+
 std::string DiagnosticsLayer(const Model& model, const PictureStyle& style) {
   std::string text;
   for (std::size_t i = 0; i < model.diagnostics.size(); ++i)

@@ -19,6 +19,8 @@ std::string SkeletonLayer(const Model& model, const PictureStyle& style);
 std::string JunctionsLayer(const Model& model, const PictureStyle& style);
 std::string BodyLayer(const Model& model, const PictureStyle& style);
 std::string LabelsLayer(const Model& model, const PictureStyle& style);
+/// The number of each stroke at its middle, as --overrides takes it.
+std::string StrokeNumbersLayer(const Model& model, const PictureStyle& style);
 std::string DiagnosticsLayer(const Model& model, const PictureStyle& style);
 
 /// A table of parts and diagnostics beside the drawing, its left edge at `left`. `height` of the

@@ -54,6 +54,7 @@ Json OutlinesJson(const Model& model, int entry) {
 
 Json PartJson(const Model& model, int part) {
   const DepthNode& node = model.graph->nodes[static_cast<std::size_t>(part)];
+  const std::optional<LimbRoot>& root = model.parts->parts[static_cast<std::size_t>(part)].root;
   const bool related = node.relation != Relation::kNone;
   return {{"id", part},
           {"name", node.name},
@@ -62,7 +63,9 @@ Json PartJson(const Model& model, int part) {
           {"relation", related ? Json(Name(node.relation)) : Json()},
           {"pair", OrNull(node.pair)},
           {"z", DepthJson(model, part)},
-          {"outlines", OutlinesJson(model, part)}};
+          {"outlines", OutlinesJson(model, part)},
+          {"evidence", root ? Json(Name(root->evidence)) : Json()},
+          {"energy", root ? Json(root->energy) : Json()}};
 }
 
 /// Parts that are ignored are no part of the model; the parse picture shows them.

@@ -184,6 +184,7 @@ class Placer {
       const std::optional<int> parent = graph_.nodes[Index(part)].parent;
       if (parent && index_of[Index(*parent)] >= 0) made.parent = index_of[Index(*parent)];
       if (part == graph_.body) made.depth_scale = options_.torso_depth;
+      if (graph_.nodes[Index(part)].flat) made.depth_scale = options_.flat_depth;
       if (made.parent) PlaceOn(creature_.parts[Index(*made.parent)], made);
       index_of[Index(part)] = static_cast<int>(creature_.parts.size());
       creature_.parts.push_back(std::move(made));

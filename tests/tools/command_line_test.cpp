@@ -114,10 +114,12 @@ TEST(CommandLine, WrongOnesAreRefusedInOneLine) {
   }
 }
 
+TEST(CommandLine, OverridesAreAFile) {
+  EXPECT_EQ(Understood({"build", "a.svg", "--overrides", "x.json"}).options.overrides, "x.json");
+}
+
 TEST(CommandLine, WhatIsNotSupportedSaysWhatIs) {
   EXPECT_NE(Answered({"build", "a.svg", "--pose", "drawn"}).text.find("symmetric"),
-            std::string::npos);
-  EXPECT_NE(Answered({"build", "a.svg", "--overrides", "x.json"}).text.find("--body"),
             std::string::npos);
   EXPECT_EQ(Understood({"build", "a.svg", "--pose", "symmetric"}).verb, Verb::kBuild);
 }
@@ -126,7 +128,6 @@ TEST(CommandLine, HelpBeginsWithExamples) {
   const Answer help = Answered({"--help"});
   EXPECT_EQ(help.code, ExitCode::kSuccess);
   EXPECT_LT(help.text.find("Examples:"), help.text.find("Usage:"));
-  EXPECT_EQ(help.text.find("overrides"), std::string::npos);
   EXPECT_NE(Answered({"build", "--help"}).text.find("--resolution"), std::string::npos);
   EXPECT_NE(Answered({"--version"}).text.find("OpenVDB"), std::string::npos);
 }

@@ -41,6 +41,18 @@ class DiagnosticsTest(ProgramTest):
         self.assert_code(process, 4)
         self.assert_says(process, "error", "body-not-there")
 
+    def test_guesses_are_warnings_at_their_places(self):
+        leg = "M 60 {0} C 59 60 61 65 60 75 L 66 75 C 67 65 65 60 66 {0}"
+        process = self.build(BLOB, leg.format(47.9))
+        self.assert_code(process, 0)
+        self.assert_says(process, "warning", "limb-guessed")
+        x, y = self.found("limb-guessed")[0]["at"]
+        self.assertLess(abs(x - 63) + abs(y - 62), 4)
+        process = self.build("M 50 30 C 50 5 90 5 90 30 C 90 55 50 55 50 30 Z",
+                             "M 50 29 C 50 5 10 5 10 30 C 10 55 50 55 50 31")
+        self.assert_code(process, 0)
+        self.assert_says(process, "warning", "body-unsure")
+
     def test_standard_input_is_read_once(self):
         process = run("build", "-", "-", "--format", "svg", input=SVG.format(PATH.format(BLOB)))
         self.assert_code(process, 2)

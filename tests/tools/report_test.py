@@ -57,7 +57,7 @@ class ReportTest(ProgramTest):
         self.assertTrue(0 <= report["body"]["score_margin"] <= 1)
         for part in report["parts"]:
             self.assertEqual(list(part), ["id", "name", "role", "parent", "relation", "pair", "z",
-                                          "outlines"])
+                                          "outlines", "evidence", "energy"])
             self.assertIn(part["role"], ("body", "foreground", "background", "sagittal", "island"))
         for stage in ("read", "structure", "skeleton", "field", "volume", "mesh", "write", "total"):
             self.assertGreater(report["timings_ms"][stage], 0)

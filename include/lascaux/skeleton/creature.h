@@ -51,6 +51,7 @@ struct PlaceInDepthOptions {
   double embed_max = 1.0;  ///< largest share s: the paper's, the limb's top is flush with the flank
   double pair_gap = 0.3;   ///< least distance between the two limbs of a pair, in limb radii
   double torso_depth = 1.0;  ///< depth_scale of the body
+  double flat_depth = 0.35;  ///< depth_scale of parts that are flat (DepthNode::flat)
 
   bool operator==(const PlaceInDepthOptions&) const = default;
 };

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "lascaux/base/execution.h"
@@ -43,7 +44,8 @@ struct DepthNode {
   /// Background parts that are hidden in between show in several pieces: all but the first name the
   /// first here, and are no part by themselves.
   std::optional<int> piece_of;
-  std::string name;  ///< "body", "limb-1", "limb-1-far", "eye-6", "part-5": unique
+  bool flat = false;  ///< thinner than wide; only options.overrides say so
+  std::string name;   ///< "body", "limb-1", "limb-1-far", "eye-6", "part-5": unique
 
   bool operator==(const DepthNode&) const = default;
 };
@@ -59,17 +61,34 @@ struct DepthGraph {
   bool operator==(const DepthGraph&) const = default;
 };
 
+/// A part by its id, or the smallest part around a point in sketch units.
+using PartReference = std::variant<int, Eigen::Vector2d>;
+
+/// What a part is, when the rules are wrong about it.
+struct PartOverride {
+  PartReference part;
+  std::optional<PartRole> role;       ///< foreground, background, sagittal or ignored
+  std::optional<PartReference> near;  ///< for background: the foreground part that it belongs to
+  bool flat = false;                  ///< thinner than wide: a wing, a fin, an ear
+
+  bool operator==(const PartOverride&) const = default;
+};
+
 struct OrderByDepthOptions {
   std::optional<Eigen::Vector2d>
       body;  ///< a point in the torso, in sketch units, when the automatic choice is wrong
+  std::optional<int> body_part;         ///< the torso by its id instead
+  std::vector<PartOverride> overrides;  ///< applied in this order, after the rules
 
   bool operator==(const OrderByDepthOptions&) const = default;
 };
 
 /// Finds the body, the pairs and the relations between parts (docs/structure.md has the rules).
 ///
-/// Errors (understanding): "no-body", when nothing can be one; "body-not-there", when options.body
-/// lies in no part.
+/// Errors: "no-body" (understanding), when nothing can be one; "body-not-there" (understanding),
+/// when options.body or body_part is no part that could be one; "override-not-there"
+/// (understanding), when an override names no part, the body, or a near side that is not in the
+/// foreground.
 Outcome<DepthGraph> OrderByDepth(const PlanarMap& map, const Parts& parts,
                                  const OrderByDepthOptions& options = {},
                                  const Execution& execution = {});

@@ -35,8 +35,11 @@ struct Outline {
 };
 
 /// How a limb was cut from its parent: two suggestive curves, or one and a partner that was
-/// inferred, or a neck, or a far side that is drawn beside it.
-enum class LimbEvidence : std::uint8_t { kTwoCurves, kOneCurve, kNeck, kFarSide };
+/// inferred, or a neck, or a far side that is drawn beside it, or somebody said so.
+enum class LimbEvidence : std::uint8_t { kTwoCurves, kOneCurve, kNeck, kFarSide, kOverride };
+
+/// A limb that its far side shows is at most so unlike it (docs/structure.md): its energy.
+constexpr double kMostUnlikeFarSide = 1.4;
 
 /// The place where a limb grows out of its parent.
 struct LimbRoot {
@@ -90,6 +93,9 @@ struct FindPartsOptions {
   /// What it costs, in units of the scale-free energy, to leave a suggestive curve without a
   /// partner.
   double single_cost = 1.5;
+  /// Limbs to cut off where the rules find none: for each the two ends of its root, on (or within
+  /// 2 % of) the outline of one face. The side with the smaller area is the limb.
+  std::vector<std::array<Eigen::Vector2d, 2>> cuts;
 
   bool operator==(const FindPartsOptions&) const = default;
 };
@@ -99,10 +105,14 @@ struct FindPartsOptions {
 ///
 /// A limb is a stretch of outline between two suggestive curves (paired by least total energy over
 /// the whole cycle), between one and the contour, a bump beside a cell that is its far side, or a
-/// lobe of the contour that comes down to the ground (docs/structure.md). Every map gives parts;
-/// there are no errors.
+/// lobe of the contour that comes down to the ground (docs/structure.md). A limb that crosses one
+/// of options.cuts gives way to it. Every map gives parts; the only error is "override-not-there"
+/// (understanding), with its place: one of options.cuts that no face can be cut by.
 Outcome<Parts> FindParts(const PlanarMap& map, const FindPartsOptions& options = {},
                          const Execution& execution = {});
+
+/// "two-curves", "one-curve", "neck", "far-side", "override".
+const char* Name(LimbEvidence evidence) noexcept;
 
 /// Signed area of a ring (shoelace in the sketch frame), positive for an Outline.
 double SignedArea(const std::vector<Eigen::Vector2d>& ring);

@@ -88,13 +88,17 @@ struct BuildPlanarMapOptions {
   double snap = 5e-3;  ///< ends this near to another stroke meet it; one pen width if that is more,
                        ///< up to snap_max
   double snap_max = 1.5e-2;
-  double bridge = 3e-2;      ///< longest gap that is closed, with a warning
-  double bridge_max = 0.12;  ///< the same where the lines don't enclose an animal otherwise
+  double bridge = 3e-2;              ///< longest gap that is closed, with a warning
+  double bridge_max = 0.12;          ///< the same where the lines don't enclose an animal otherwise
+  std::vector<int> ignored_strokes;  ///< indices in Sketch::strokes of lines to leave out
 
   bool operator==(const BuildPlanarMapOptions&) const = default;
 };
 
 /// Joins the strokes of a drawing into a planar map.
+///
+/// A number in options.ignored_strokes that no stroke has is the error "override-not-there"
+/// (usage).
 ///
 /// Warnings: "gap-closed", "slit-closed" with their places. Notes: "cell-merged". Errors:
 /// "no-strokes" (input); "outline-open" with the place, "too-tangled", "too-many-strokes"

@@ -53,6 +53,15 @@ Outcome<BodyChoice> FindBody(const Parts& parts, const Adjacency& adjacency,
     if (static_cast<int>(i) != choice.part)
       choice.margin = std::min(choice.margin, 1 - scores[i] / *best);
   }
+  if (options.body_part) {
+    const int part = *options.body_part;
+    const bool there = part >= 0 && part < static_cast<int>(parts.parts.size()) &&
+                       parts.parts[static_cast<std::size_t>(part)].kind == PartKind::kBorder;
+    if (there) return BodyChoice{part, choice.margin};
+    return Outcome<BodyChoice>::Failure(Error(
+        FailureKind::kUnderstanding, "body-not-there",
+        "part " + std::to_string(part) + " can't be the body; name a closed part that is no limb"));
+  }
   if (!options.body) return choice;
   const auto chosen = PartAt(parts, *options.body);
   if (!chosen) {

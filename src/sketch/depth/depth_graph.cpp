@@ -4,6 +4,7 @@
 #include <string>
 
 #include "sketch/depth/adjacency.h"
+#include "sketch/depth/apply_overrides.h"
 #include "sketch/depth/body.h"
 #include "sketch/depth/pairs.h"
 #include "sketch/depth/place_cells.h"
@@ -13,6 +14,9 @@ namespace {
 
 using Eigen::Vector2d;
 using Index = std::size_t;
+
+/// A torso whose score is ahead of the next one's by less than this share is a guess.
+constexpr double kSureMargin = 0.2;
 
 /// Limbs lie over the part that they were cut from, their far sides under it.
 void PlaceLimbs(const Parts& parts, const std::vector<std::optional<int>>& far_of,
@@ -72,7 +76,7 @@ void DropOrphans(DepthGraph& graph) {
       if (!node.parent || node.role == PartRole::kIgnored) continue;
       const PartRole role = graph.nodes[static_cast<Index>(*node.parent)].role;
       if (role != PartRole::kIgnored && role != PartRole::kBackground) continue;
-      node = DepthNode{PartRole::kIgnored, {}, Relation::kNone, {}, {}, {}};
+      node = DepthNode{PartRole::kIgnored, {}, Relation::kNone, {}, {}, {}, {}};
       again = true;
     }
   }
@@ -103,6 +107,27 @@ void NameParts(DepthGraph& graph) {
   }
 }
 
+/// What was decided on little evidence, each at its place.
+void WarnOfGuesses(const Parts& parts, const DepthGraph& graph, Diagnostics& log) {
+  const auto warn = [&](Index part, const std::string& why) {
+    log.push_back(At(
+        Warning("limb-guessed", graph.nodes[part].name + " " + why + "; --overrides corrects it"),
+        Centroid(parts.parts[part].outline.points)));
+  };
+  for (Index i = 0; i < graph.nodes.size(); ++i) {
+    const Part& part = parts.parts[i];
+    const DepthNode& node = graph.nodes[i];
+    if (node.role != PartRole::kForeground || node.relation != Relation::kOver) continue;
+    if (part.root && part.root->evidence == LimbEvidence::kFarSide) {
+      char text[80];
+      std::snprintf(text, sizeof text, "was found by its far side alone, at %.2f of at most %.2f",
+                    part.root->energy, kMostUnlikeFarSide);
+      warn(i, text);
+    }
+    if (part.kind == PartKind::kBorder) warn(i, "is a closed cell, taken for one of a pair");
+  }
+}
+
 void OrderParentsFirst(DepthGraph& graph) {
   std::vector<bool> done(graph.nodes.size(), false);
   for (bool again = true; again;) {
@@ -126,6 +151,14 @@ Outcome<DepthGraph> OrderByDepth(const PlanarMap& map, const Parts& parts,
   Diagnostics log;
   const auto body = FindBody(parts, adjacency, options).MoveInto(log);
   if (!body) return Outcome<DepthGraph>::Failure(std::move(log));
+  if (body->margin < kSureMargin && !options.body && !options.body_part) {
+    char text[120];
+    std::snprintf(text, sizeof text,
+                  "the torso is ahead of the next part by %.0f %% only; --body X,Y decides",
+                  100 * body->margin);
+    log.push_back(At(Warning("body-unsure", text),
+                     Centroid(parts.parts[static_cast<Index>(body->part)].outline.points)));
+  }
   DepthGraph graph;
   graph.nodes.resize(parts.parts.size());
   graph.body = body->part;
@@ -136,8 +169,12 @@ Outcome<DepthGraph> OrderByDepth(const PlanarMap& map, const Parts& parts,
   torso.role = PartRole::kBody;
   PlaceCells(map, parts, adjacency, graph);
   PlaceIslands(parts, graph);
+  auto corrected = ApplyOverrides(parts, std::move(graph), options).MoveInto(log);
+  if (!corrected) return Outcome<DepthGraph>::Failure(std::move(log));
+  graph = std::move(*corrected);
   DropOrphans(graph);
   NameParts(graph);
+  WarnOfGuesses(parts, graph, log);
   OrderParentsFirst(graph);
   return {std::move(graph), std::move(log)};
 }

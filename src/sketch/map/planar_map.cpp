@@ -43,6 +43,8 @@ std::vector<ArrangementLine> LinesOf(const Sketch& sketch, double diagonal,
   std::vector<ArrangementLine> lines;
   for (std::size_t i = 0; i < sketch.strokes.size(); ++i) {
     const Stroke& stroke = sketch.strokes[i];
+    const auto& ignored = options.ignored_strokes;
+    if (std::find(ignored.begin(), ignored.end(), static_cast<int>(i)) != ignored.end()) continue;
     ArrangementLine line;
     line.points = stroke.is_dot ? Circle(stroke.pieces.front().p[0], 0.5 * stroke.width)
                                 : FlattenStroke(stroke, options.flatten * diagonal);
@@ -77,6 +79,13 @@ Vector2d PlanarMap::Arrival(int half_edge) const { return -Departure(Twin(half_e
 
 Outcome<PlanarMap> BuildPlanarMap(const Sketch& sketch, const BuildPlanarMapOptions& options,
                                   const Execution&) {
+  for (const int stroke : options.ignored_strokes) {
+    if (stroke >= 0 && stroke < static_cast<int>(sketch.strokes.size())) continue;
+    return Outcome<PlanarMap>::Failure(
+        Error(FailureKind::kUnderstanding, "override-not-there",
+              "there is no stroke " + std::to_string(stroke) + " to ignore; the drawing has 0 to " +
+                  std::to_string(static_cast<int>(sketch.strokes.size()) - 1)));
+  }
   const double diagonal = sketch.strokes.empty() ? 0 : Bounds(sketch).diagonal().norm();
   const std::vector<ArrangementLine> drawn = LinesOf(sketch, diagonal, options);
   if (drawn.empty() || !(diagonal > 0)) {

@@ -14,8 +14,6 @@ using Eigen::Vector2d;
 
 /// Near and far limb, seen from their roots, point the same way within this angle ...
 constexpr double kMostSwing = std::numbers::pi / 3;
-/// ... and all differences together stay below this (radians; an e-fold of length counts for one).
-constexpr double kMostUnlike = 1.5;
 /// Legs point down and ears up, at least this far from the horizontal: what runs on along the page
 /// beside a cell is a jaw or a tail.
 const double kLeastSlope = std::sin(35 * std::numbers::pi / 180);
@@ -29,8 +27,6 @@ constexpr double kMostWay = 1.5;
 constexpr double kCrotch = 0.04;
 /// Steps of the search along the contour, share of the diagonal.
 constexpr double kStep = 4e-3;
-/// The limb runs on into its parent by this share of its width.
-constexpr double kRootDepth = 0.7;
 /// A turn of the contour that counts as a corner, and how much wider a root may be that ends there.
 constexpr double kCorner = std::numbers::pi / 6, kCornerSlack = 1.25;
 
@@ -183,47 +179,30 @@ double MovedToCorner(const Way& way, const Bump& bump, double step) {
   return best;
 }
 
-/// A flank of the root: from a closed end on into the parent, straight or, where that leaves the
-/// face, towards the root's axis.
-Polyline RootFlank(const FaceView& face, const Vector2d& closed, const Vector2d& root,
-                   const Vector2d& inwards) {
-  for (const double taper : {0.1, 0.4, 0.7}) {
-    Polyline flank{closed};
-    const Vector2d way = inwards + taper * (root - closed);
-    for (const double share : {0.25, 0.5, 0.75, 1.0}) {
-      const Vector2d p = closed + share * way;
-      if (!Contains(face.line.points, p)) break;
-      flank.push_back(p);
-    }
-    if (flank.size() == 5) return flank;
-  }
-  return {};
-}
-
 std::optional<LimbCut> CutOf(const Way& way, const Bump& bump) {
   const FaceView& face = way.face;
   const double step = kStep * face.map.diagonal, to = MovedToCorner(way, bump, step);
   const Vector2d a = way.At(bump.from), b = way.At(to);
   if (!IsInsideFace(face, a, b)) return std::nullopt;
-  Polyline own;
-  for (double s = bump.from; s <= to; s += step) own.push_back(way.At(s));
-  const Reach reach = ReachOf(own, 0.5 * (a + b));
-  const Vector2d inwards =
-      kRootDepth * (b - a).norm() * (reach.root - reach.tip).stableNormalized();
-  LimbCut limb;
-  limb.from = face.line.Wrap(way.start + way.sign * bump.from);
-  limb.to = face.line.Wrap(way.start + way.sign * to);
-  limb.from_curve = RootFlank(face, a, reach.root, inwards);
-  limb.to_curve = RootFlank(face, b, reach.root, inwards);
-  limb.from_kind = limb.to_kind = OutlineKind::kCompletion;
-  limb.evidence = LimbEvidence::kFarSide;
-  limb.energy = bump.cost;
-  if (limb.from_curve.empty() || limb.to_curve.empty()) return std::nullopt;
-  if (way.sign < 0) {
-    std::swap(limb.from, limb.to);
-    std::swap(limb.from_curve, limb.to_curve);
-  }
+  const double from = face.line.Wrap(way.start + way.sign * bump.from),
+               end = face.line.Wrap(way.start + way.sign * to);
+  auto limb = way.sign > 0 ? CutAcross(face, from, end) : CutAcross(face, end, from);
+  if (!limb) return std::nullopt;
+  limb->evidence = LimbEvidence::kFarSide;
+  limb->energy = bump.cost;
   return limb;
+}
+
+/// True when an island lies in the walk's stretch of the limb: an eye makes it a head.
+bool HoldsAnIsland(const FaceView& face, const LimbCut& limb) {
+  const Polyline own = Stretch(face.line, limb.from, limb.to).points;
+  return std::any_of(face.map.cycles.begin(), face.map.cycles.end(), [&](const MapCycle& cycle) {
+    return cycle.kind == CycleKind::kIsland &&
+           Contains(
+               own,
+               face.map.nodes[static_cast<std::size_t>(face.map.Origin(cycle.half_edges.front()))]
+                   .position);
+  });
 }
 
 /// True when two stretches of the walk have a place in common.
@@ -252,9 +231,9 @@ std::vector<LimbCut> LimbsBesideCells(const FaceView& face, const std::vector<Li
     std::optional<LimbCut> best;
     for (const Way& way : {Way{face, run.from, 1}, Way{face, end, -1}}) {
       const Bump bump = BestBump(way, run.length, ring);
-      if (bump.cost > kMostUnlike || (best && best->energy <= bump.cost)) continue;
+      if (bump.cost > kMostUnlikeFarSide || (best && best->energy <= bump.cost)) continue;
       const auto limb = CutOf(way, bump);
-      if (limb && is_free(limb->from, limb->to)) best = limb;
+      if (limb && is_free(limb->from, limb->to) && !HoldsAnIsland(face, *limb)) best = limb;
     }
     if (best) found.push_back(std::move(*best));
   }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "lascaux/sketch/parts.h"
@@ -64,6 +66,14 @@ std::vector<LimbCut> LimbsBesideCells(const FaceView& face, const std::vector<Li
 /// the other its far side (`far_of` counts among what is returned). That a part ends at the
 /// shortest line from a crotch is Singh, Seyranian and Hoffman's rule (1999).
 std::vector<LimbCut> NeckLimbs(const FaceView& face, const std::vector<LimbCut>& limbs);
+
+/// The limb that owns the walk from one place to another, its flanks carried on into the parent;
+/// none if the face leaves no room for them.
+std::optional<LimbCut> CutAcross(const FaceView& face, double from, double to);
+
+/// The limb that somebody asked for by the ends of its root; none if they do not lie on this face's
+/// outline.
+std::optional<LimbCut> CutAsAsked(const FaceView& face, const std::array<Eigen::Vector2d, 2>& ends);
 
 /// The parts of one face: first what is left of the face itself, then its limbs, parents before
 /// children. `first_id` is the id that the first of them will have.
