@@ -88,22 +88,63 @@ Sketch Furry(int points) {
   return sketch;
 }
 
+Stroke Polyline(const std::vector<Eigen::Vector2d>& points) {
+  Stroke stroke;
+  stroke.width = 0.01;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+    stroke.pieces.push_back(Line(points[i], points[i + 1]));
+  return stroke;
+}
+
+/// A comb of one line that encloses nothing: many long lines side by side, all of them upright.
+Sketch Comb(int points) {
+  std::vector<Eigen::Vector2d> line;
+  for (int i = 0; i < points; ++i) line.emplace_back(200.0 * (i / 2) / points, i % 4 < 2 ? 0 : 100);
+  return {.strokes = {Polyline(line)}};
+}
+
+/// Hairs that stand upright on an arc, which leaves the outline open.
+Sketch OpenFur(int hairs) {
+  Sketch sketch;
+  std::vector<Eigen::Vector2d> back;
+  for (int i = 0; i < hairs; ++i) {
+    const double angle = std::numbers::pi * i / hairs;
+    back.emplace_back(100 * std::cos(angle), 20 * std::sin(angle));
+    sketch.strokes.push_back(Polyline({back.back(), back.back() + Eigen::Vector2d(0.3, 6)}));
+  }
+  sketch.strokes.push_back(Polyline(back));
+  return sketch;
+}
+
+/// The processor's time, the least of some runs: other programs don't count.
+double SecondsFor(const Sketch& sketch) {
+  double best = 1e9;
+  for (int run = 0; run < 3; ++run) {
+    const std::clock_t start = std::clock();
+    EXPECT_EQ(WrongWithStructureOf(sketch), "");
+    best = std::min(best, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+  }
+  return best;
+}
+
+/// Eight times the points: n^2 would be 64 times, n log n is 10.
+template <typename Draw>
+void ExpectNearlyLinear(const char* name, int points, Draw draw) {
+  const double small = SecondsFor(draw(points)), large = SecondsFor(draw(8 * points));
+  std::printf("%s: %d points %.1f ms, %d points %.1f ms\n", name, points, 1e3 * small, 8 * points,
+              1e3 * large);
+  EXPECT_LT(large, 32 * small + 0.05) << name;
+}
+
 TEST(StructureTime, IsNearlyLinearInThePoints) {
-  // The processor's time, the least of some runs: other programs don't count.
-  const auto seconds = [](int points) {
-    const Sketch sketch = Furry(points);
-    double best = 1e9;
-    for (int run = 0; run < 3; ++run) {
-      const std::clock_t start = std::clock();
-      EXPECT_EQ(WrongWithStructureOf(sketch), "");
-      best = std::min(best, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
-    }
-    return best;
-  };
-  const double small = seconds(4'000), large = seconds(32'000);
-  std::printf("4000 points %.1f ms, 32000 points %.1f ms\n", 1e3 * small, 1e3 * large);
-  // Eight times the points: n^2 would be 64 times, n log n is 10.
-  EXPECT_LT(large, 32 * small + 0.05);
+  ExpectNearlyLinear("ring with hairs", 4'000, Furry);
+}
+
+TEST(StructureTime, IsNearlyLinearForDrawingsThatAreRefused) {
+  ASSERT_FALSE(BuildPlanarMap(Comb(64)));
+  ASSERT_FALSE(BuildPlanarMap(OpenFur(64)));
+  ExpectNearlyLinear("comb", 64, Comb);
+  ExpectNearlyLinear("open fur", 250, OpenFur);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "sketch/map/enclosure.h"
 #include "sketch/map/outer_walk.h"
 #include "sketch/map/polyline.h"
+#include "sketch/map/slit.h"
 
 namespace lascaux {
 namespace {
@@ -32,6 +33,8 @@ constexpr double kWider = 1.5;
 constexpr std::size_t kMostEnds = 400;
 /// Lines that run side by side nearer than this may be meant to touch.
 constexpr double kSlit = 6e-3;
+/// The way around from one side of a slit to the other is at least so many times as long.
+constexpr double kSlitLength = 20;
 /// The animal fills at least this share of the drawing's bounds, or its outline is open.
 constexpr double kLeastBodyShare = 0.08;
 
@@ -41,11 +44,6 @@ std::size_t Index(int i) { return static_cast<std::size_t>(i); }
 struct Working {
   PlanarMap map;
   std::vector<ArrangementLine> lines;
-};
-
-struct Slit {
-  Vector2d from, to;
-  double width = 0;
 };
 
 double BoxArea(const PlanarMap& map) {
@@ -64,35 +62,14 @@ double LargestFace(const PlanarMap& map) {
   return largest;
 }
 
-/// The best slit: two places near each other and far along the walk, that close a face of the
-/// animal's size.
-std::optional<Slit> BestSlit(const PlanarMap& map, const OuterWalk& walk, double least_area) {
-  const double reach = kSlit * map.diagonal;
-  std::vector<std::size_t> by_x(walk.points.size());
-  for (std::size_t i = 0; i < by_x.size(); ++i) by_x[i] = i;
-  std::sort(by_x.begin(), by_x.end(), [&](std::size_t a, std::size_t b) {
-    return walk.points[a].position.x() < walk.points[b].position.x();
-  });
-  std::optional<Slit> best;
-  for (std::size_t a = 0; a < by_x.size(); ++a) {
-    const WalkPoint& p = walk.points[by_x[a]];
-    for (std::size_t b = a + 1; b < by_x.size(); ++b) {
-      const WalkPoint& q = walk.points[by_x[b]];
-      if (q.position.x() - p.position.x() > reach) break;
-      const double distance = (q.position - p.position).norm();
-      if (distance == 0 || distance > reach || walk.Along(by_x[a], by_x[b]) < 20 * reach) continue;
-      const double area = walk.FaceArea(by_x[a], by_x[b]);
-      if (area < least_area || (best && distance >= best->width)) continue;
-      best = {p.position, q.position, distance};
-    }
-  }
-  return best;
-}
-
 std::optional<Slit> FindSlit(const PlanarMap& map) {
+  const double reach = kSlit * map.diagonal;
+  const SlitSearch search{.reach = reach,
+                          .least_along = kSlitLength * reach,
+                          .least_area = kLeastBodyShare * BoxArea(map)};
   std::optional<Slit> best;
-  for (const OuterWalk& walk : OuterWalks(map, 0.25 * kSlit * map.diagonal)) {
-    const auto slit = BestSlit(map, walk, kLeastBodyShare * BoxArea(map));
+  for (const OuterWalk& walk : OuterWalks(map, 0.25 * reach)) {
+    const auto slit = NarrowestSlit(walk, search);
     if (slit && (!best || slit->width < best->width)) best = slit;
   }
   return best;
