@@ -32,9 +32,10 @@ class NodeTable {
   explicit NodeTable(double tolerance) : tolerance_(tolerance) {}
 
   int At(const Vector2d& p, std::vector<MapNode>& nodes) {
-    const auto cx = Cell(p.x()), cy = Cell(p.y());
-    for (std::int64_t y = cy - 1; y <= cy + 1; ++y) {
-      for (std::int64_t x = cx - 1; x <= cx + 1; ++x) {
+    const Vector2d reach = Vector2d::Constant(tolerance_);
+    const CellIndex low = CellOf(p - reach), high = CellOf(p + reach);
+    for (std::int64_t y = low.y; y <= high.y; ++y) {
+      for (std::int64_t x = low.x; x <= high.x; ++x) {
         const auto found = cells_.find({x, y});
         if (found == cells_.end()) continue;
         for (const int node : found->second) {
@@ -44,17 +45,30 @@ class NodeTable {
       }
     }
     nodes.push_back({p, {}});
-    cells_[{cx, cy}].push_back(static_cast<int>(nodes.size()) - 1);
+    cells_[CellOf(p)].push_back(static_cast<int>(nodes.size()) - 1);
     return static_cast<int>(nodes.size()) - 1;
   }
 
  private:
-  std::int64_t Cell(double x) const {
-    return static_cast<std::int64_t>(std::floor(x / (2 * tolerance_)));
+  struct CellIndex {
+    std::int64_t x, y;
+    bool operator==(const CellIndex&) const = default;
+  };
+  struct Hash {
+    std::size_t operator()(const CellIndex& cell) const {
+      // Two odd constants of many bits spread the neighbours over the table.
+      return static_cast<std::size_t>(cell.x) * 0x9E3779B97F4A7C15u ^
+             static_cast<std::size_t>(cell.y) * 0xC2B2AE3D27D4EB4Fu;
+    }
+  };
+
+  CellIndex CellOf(const Vector2d& p) const {
+    return {static_cast<std::int64_t>(std::floor(p.x() / (2 * tolerance_))),
+            static_cast<std::int64_t>(std::floor(p.y() / (2 * tolerance_)))};
   }
 
   double tolerance_;
-  std::map<std::pair<std::int64_t, std::int64_t>, std::vector<int>> cells_;
+  std::unordered_map<CellIndex, std::vector<int>, Hash> cells_;
 };
 
 SegmentGrid GridOf(const std::vector<ArrangementLine>& lines) {

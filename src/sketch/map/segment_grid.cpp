@@ -8,6 +8,24 @@ namespace {
 
 /// At most so many cells along a side: 512 x 512 cells are 1 MB.
 constexpr double kMaxCellsPerSide = 512;
+/// Where more than this share of all numbers is listed, marking them is faster than sorting.
+constexpr double kManyShare = 0.1;
+
+/// The numbers below `count` that are listed, each once.
+std::vector<int> Ascending(std::vector<int> listed, std::size_t count) {
+  if (static_cast<double>(listed.size()) < kManyShare * static_cast<double>(count)) {
+    std::sort(listed.begin(), listed.end());
+    listed.erase(std::unique(listed.begin(), listed.end()), listed.end());
+    return listed;
+  }
+  std::vector<char> is_listed(count, 0);
+  for (const int i : listed) is_listed[static_cast<std::size_t>(i)] = 1;
+  listed.clear();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (is_listed[i]) listed.push_back(static_cast<int>(i));
+  }
+  return listed;
+}
 
 }  // namespace
 
@@ -58,9 +76,7 @@ std::vector<int> SegmentGrid::Candidates(const Eigen::AlignedBox2d& box) const {
       found.insert(found.end(), items_.begin() + starts_[c], items_.begin() + starts_[c + 1]);
     }
   }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
-  return found;
+  return Ascending(std::move(found), segments_.size());
 }
 
 }  // namespace lascaux
