@@ -23,7 +23,6 @@ constexpr double kFirstPixels = 1.5e6;  // at which the ink's width is first loo
 constexpr double kMostPixels = 12e6;    // that are worked on
 constexpr double kWantedWidth = 6;      // pixels: wide enough for half a pixel not to matter
 constexpr double kLeastWidth = 3.5;     // below it, holes between lines close
-constexpr double kMostWidth = 10;       // above it, more pixels only cost time
 constexpr int kMostEnlargement = 3;
 constexpr double kEnoughCoverage = 0.99;    // of the ink, for a trace that is right
 constexpr double kHopeless = 0.8;           // coverage below which the ink is no lines
