@@ -7,17 +7,36 @@ packages='
   g++ cmake ninja-build ccache clang-format pkg-config
   libopenvdb-dev libtbb-dev libeigen3-dev libcgal-dev libopenimageio-dev
   libboost-dev libboost-iostreams-dev libboost-system-dev zlib1g-dev libpng-dev libblosc-dev
-  libpugixml-dev libcli11-dev nlohmann-json3-dev libfmt-dev lib2geom-dev
+  libminizip-dev libpugixml-dev libcli11-dev nlohmann-json3-dev libfmt-dev lib2geom-dev
   libgtest-dev libbenchmark-dev
-  libopenvdb-tools openimageio-tools python3 python3-openvdb admesh
+  libopenvdb-tools openimageio-tools python3 python3-openvdb admesh assimp-utils lib3mf1
 '
+
+# npm brings the readers of glTF and USD, which Debian has not.
+command -v npm >/dev/null || packages="$packages nodejs npm"
 
 missing=''
 for package in $packages; do
   status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
   [ "$status" = installed ] || missing="$missing $package"
 done
-[ -n "$missing" ] || exit 0
+
+outside_readers() {
+  sources=$(dirname "$0")/../tests/outside
+  folder=$(dirname "$0")/../build/outside
+  if ! cmp -s "$sources/package-lock.json" "$folder/done.json"; then
+    echo 'setup: installing readers from npm'
+    mkdir -p "$folder"
+    cp "$sources/package.json" "$sources/package-lock.json" "$folder"
+    npm ci --prefix "$folder" --no-audit --no-fund --ignore-scripts
+    cp "$sources/package-lock.json" "$folder/done.json"
+  fi
+}
+
+if [ -z "$missing" ]; then
+  outside_readers
+  exit 0
+fi
 
 if [ "$(id -u)" = 0 ]; then
   root=''
@@ -32,3 +51,4 @@ echo "setup: installing$missing"
 $root env DEBIAN_FRONTEND=noninteractive apt-get update -q
 # shellcheck disable=SC2086  # a list of names
 $root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $missing
+outside_readers

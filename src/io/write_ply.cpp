@@ -1,12 +1,13 @@
 #include "lascaux/io/write_ply.h"
 
-#include <Eigen/Geometry>
 #include <bit>
-#include <cstring>
 #include <string>
 #include <vector>
 
 #include "io/file_writer.h"
+#include "io/scene_vertices.h"
+#include "io/token.h"
+#include "lascaux/volume/vertex_normals.h"
 
 namespace lascaux {
 namespace {
@@ -36,43 +37,42 @@ class Batch {
   std::string bytes_;
 };
 
-std::string Header(const Mesh& mesh, Unit unit) {
-  return std::string("ply\nformat binary_little_endian 1.0\ncomment lascaux, unit ") + Name(unit) +
-         ", Y up\nelement vertex " + std::to_string(mesh.vertices.size()) +
-         "\nproperty float x\nproperty float y\nproperty float z\n"
-         "property float nx\nproperty float ny\nproperty float nz\nelement face " +
-         std::to_string(mesh.triangles.size()) +
-         "\nproperty list uchar uint vertex_indices\nend_header\n";
-}
-
-/// Sums of the faces' cross products, whose lengths are twice the areas.
-std::vector<Eigen::Vector3d> WeightedNormals(const Mesh& mesh) {
-  std::vector<Eigen::Vector3d> normals(mesh.vertices.size(), Eigen::Vector3d::Zero());
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const Eigen::Vector3d origin = mesh.vertices[a].cast<double>();
-    const Eigen::Vector3d cross =
-        (mesh.vertices[b].cast<double>() - origin).cross(mesh.vertices[c].cast<double>() - origin);
-    for (const std::uint32_t corner : {a, b, c}) normals[corner] += cross;
+std::string Header(const Mesh& mesh, const MeshDetails& details, Unit unit) {
+  std::string text = std::string("ply\nformat binary_little_endian 1.0\ncomment lascaux, unit ") +
+                     Name(unit) + ", Y up\n";
+  if (!details.vertex_parts.empty()) {
+    for (std::size_t p = 0; p < details.parts.size(); ++p)
+      text += "comment part " + std::to_string(p) + ' ' + OneLine(details.parts[p].name) + '\n';
   }
-  return normals;
+  text += "element vertex " + std::to_string(mesh.vertices.size()) +
+          "\nproperty float x\nproperty float y\nproperty float z\n"
+          "property float nx\nproperty float ny\nproperty float nz\n";
+  if (!details.vertex_parts.empty())
+    text +=
+        "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty ushort part_id\n";
+  return text + "element face " + std::to_string(mesh.triangles.size()) +
+         "\nproperty list uchar uint vertex_indices\nend_header\n";
 }
 
 }  // namespace
 
 Diagnostics WritePly(const std::filesystem::path& path, const Mesh& mesh,
-                     const WritePlyOptions& options) {
+                     const MeshDetails& details, const MeshFileOptions& options) {
   FileWriter file(path);
   Batch batch(file);
-  const std::string header = Header(mesh, options.unit);
+  const std::string header = Header(mesh, details, options.unit);
   batch.Append(header.data(), header.size());
-  const std::vector<Eigen::Vector3d> normals = WeightedNormals(mesh);
-  const double factor = PerMillimetre(options.unit);
-  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-    Eigen::Matrix<float, 6, 1> record;
-    // stableNormalized() leaves a zero vector zero.
-    record << (factor * mesh.vertices[i].cast<double>()).cast<float>(),
-        normals[i].stableNormalized().cast<float>();
-    batch.Append(record.data(), 6);
+  const std::vector<Eigen::Vector3f> computed =
+      details.normals.empty() ? VertexNormals(mesh) : std::vector<Eigen::Vector3f>();
+  const std::vector<Eigen::Vector3f>& normals = computed.empty() ? details.normals : computed;
+  const std::vector<Eigen::Vector3f> vertices = SceneVertices(mesh, options.unit);
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    batch.Append(vertices[i].data(), 3);
+    batch.Append(normals[i].data(), 3);
+    if (details.vertex_parts.empty()) continue;
+    const std::uint16_t part = details.vertex_parts[i];
+    batch.Append(details.parts[part].color.data(), 3);
+    batch.Append(&part, 1);
   }
   for (const auto& triangle : mesh.triangles) {
     const unsigned char corners = 3;

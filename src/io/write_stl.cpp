@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "io/file_writer.h"
+#include "io/scene_vertices.h"
 
 namespace lascaux {
 namespace {
@@ -22,9 +23,6 @@ static_assert(std::endian::native == std::endian::little,
 constexpr std::size_t kHeaderBytes = 80;
 constexpr std::size_t kRecordBytes = 50;  // normal, three corners, two bytes of attributes
 constexpr std::size_t kBatch = 16384;  // triangles at once: 0.8 MB stay in the second-level cache
-
-/// The model's axes to the print frame's. 0 - z and not -z, which would write a zero as minus zero.
-Eigen::Vector3f ToPrint(const Eigen::Vector3f& p) { return {p.x(), 0.0F - p.z(), p.y()}; }
 
 /// Float coordinates of millimetre-sized models differ by few bits on small faces: the cross
 /// product needs double.
@@ -38,7 +36,7 @@ Eigen::Vector3f Normal(const std::array<Eigen::Vector3f, 3>& corners) {
 
 void Encode(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle, char* record) {
   std::array<Eigen::Vector3f, 3> corners;
-  for (std::size_t i = 0; i < 3; ++i) corners[i] = ToPrint(mesh.vertices[triangle[i]]);
+  for (std::size_t i = 0; i < 3; ++i) corners[i] = ToPrintFrame(mesh.vertices[triangle[i]]);
   const Eigen::Vector3f normal = Normal(corners);
   std::memcpy(record, normal.data(), 12);
   for (std::size_t i = 0; i < 3; ++i) std::memcpy(record + 12 + 12 * i, corners[i].data(), 12);

@@ -1,9 +1,10 @@
 #!/usr/bin/python3
 """Reads one file of each format with programs that are not ours, and compares what they say with what is in it.
 
-Usage: check_formats.py WRITE_SAMPLES, the program that writes the samples.
+Usage: check_formats.py WRITE_SAMPLES MODULES: the program that writes the samples, and the node_modules of tests/outside.
 """
 
+import json
 import math
 import os
 import re
@@ -16,6 +17,10 @@ os.environ["OPENCV_IO_ENABLE_OPENEXR"] = "1"  # before cv2 is loaded
 import cv2
 import numpy
 import pyopenvdb
+
+OUTSIDE = Path(__file__).resolve().parent.parent / "outside"
+sys.path.insert(0, str(OUTSIDE))
+import lib3mf
 
 RADIUS = 20.0  # mm; the sphere stands on y = 0 around (5, 20, -3)
 VOXEL = 0.4  # mm
@@ -52,6 +57,40 @@ def check_ply(path):
     text = run("vdb_tool", "-read", str(path), "-print")
     assert "vtx = 4098, tri = 8192" in text, text
     assert "bbox=[-15, 0, -23] -> [25, 40, 17]" in text, text
+
+
+def check_by_assimp(path, factor):
+    text = run("assimp", "info", str(path))
+    number = r"\(\s*(-?[\d.]+) (-?[\d.]+) (-?[\d.]+)\)"
+    assert numbers(r"Faces:\s*(\d+)", text)[0] == 8192, text
+    low, high = numbers("Minimum point\\s*" + number, text), numbers("Maximum point\\s*" + number, text)
+    for got, expected in zip(low + high, (-15, 0, -23, 25, 40, 17)):
+        assert math.isclose(got, factor * expected, abs_tol=2e-6), text
+
+
+def ask_npm(format_name, path):
+    return json.loads(run("node", str(OUTSIDE / "readers.mjs"), sys.argv[2], format_name, str(path)))
+
+
+def check_glb(path):
+    found = ask_npm("gltf", path)
+    assert found["issues"]["messages"] == [], found
+    assert found["info"]["totalTriangleCount"] == 8192 and found["info"]["totalVertexCount"] == 4098
+    check_by_assimp(path, 0.001)
+
+
+def check_usda(path):
+    (mesh,) = ask_npm("usd", path)["meshes"]
+    assert (mesh["vertices"], mesh["triangles"], mesh["normals"]) == (4098, 8192, 4098), mesh
+    assert numpy.allclose(mesh["low"] + mesh["high"], numpy.array([-15, 0, -23, 25, 40, 17]) / 1000)
+
+
+def check_3mf(path):
+    package = lib3mf.Package(path)
+    assert package.warnings == 0 and package.unit == 1, package.unit  # millimetres
+    assert package.objects == [{"vertices": 4098, "triangles": 8192, "closed": True, "name": "sphere"}]
+    assert [name for name, _ in package.materials] == ["body", "limb-1"], package.materials
+    assert package.thumbnail_bytes > 100
 
 
 def check_vdb(path, factor, unit):
@@ -106,6 +145,11 @@ def main():
         run(sys.argv[1], name)
         check_stl(folder / "sphere.stl")
         check_ply(folder / "sphere.ply")
+        check_by_assimp(folder / "parts.ply", 0.001)
+        check_by_assimp(folder / "sphere.obj", 0.001)
+        check_glb(folder / "sphere.glb")
+        check_usda(folder / "sphere.usda")
+        check_3mf(folder / "sphere.3mf")
         check_vdb(folder / "sphere.vdb", 0.001, "m")
         check_vdb(folder / "sphere_mm.vdb", 1, "mm")
         check_png(folder / "picture.png")

@@ -5,6 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "lascaux/volume/vertex_normals.h"
+
 namespace lascaux {
 namespace {
 
@@ -42,6 +44,16 @@ Mesh SampleSphere(int refinements) {
   for (int i = 0; i < refinements; ++i) mesh = Refined(mesh);
   for (Eigen::Vector3f& p : mesh.vertices) p = kCenter + static_cast<float>(kSampleRadius) * p;
   return mesh;
+}
+
+MeshDetails SampleDetails(const Mesh& mesh) {
+  MeshDetails details;
+  details.normals = VertexNormals(mesh);
+  details.parts = {{"body", PartColor(0)}, {"limb-1", PartColor(1)}};
+  for (const Eigen::Vector3f& v : mesh.vertices)
+    details.vertex_parts.push_back(v.y() > kCenter.y() ? 1 : 0);
+  details.triangle_parts = PartsOfTriangles(mesh.triangles, details.vertex_parts);
+  return details;
 }
 
 openvdb::FloatGrid::Ptr SampleLevelSet(double voxel_size) {

@@ -78,7 +78,7 @@ TEST(WritePly, HoldsTheUnitTheScaledVerticesAndUnitNormals) {
   const TemporaryFolder folder;
   const Mesh mesh = SampleSphere(4);
   for (const Unit unit : {Unit::kMillimetre, Unit::kCentimetre, Unit::kMetre}) {
-    ASSERT_TRUE(WritePly(folder / "a.ply", mesh, {.unit = unit}).empty());
+    ASSERT_TRUE(WritePly(folder / "a.ply", mesh, {}, {.unit = unit}).empty());
     const std::string bytes = Contents(folder / "a.ply");
     EXPECT_NE(bytes.find(std::string("unit ") + Name(unit) + ","), std::string::npos);
     const std::size_t body = bytes.find("end_header\n") + 11;

@@ -2,10 +2,14 @@
 #include <filesystem>
 
 #include "io/samples.h"
+#include "lascaux/io/write_3mf.h"
 #include "lascaux/io/write_exr.h"
+#include "lascaux/io/write_glb.h"
+#include "lascaux/io/write_obj.h"
 #include "lascaux/io/write_ply.h"
 #include "lascaux/io/write_png.h"
 #include "lascaux/io/write_stl.h"
+#include "lascaux/io/write_usda.h"
 #include "lascaux/io/write_vdb.h"
 
 /// Writes one file of each format into a folder, for readers that are not ours (check_formats.py).
@@ -19,7 +23,14 @@ int main(int argc, char** argv) {
   };
   const Mesh mesh = SampleSphere(5);
   log(WriteStl(folder / "sphere.stl", mesh));
-  log(WritePly(folder / "sphere.ply", mesh, {.unit = Unit::kMillimetre}));
+  log(WritePly(folder / "sphere.ply", mesh, {}, {.unit = Unit::kMillimetre}));
+  const MeshDetails details = SampleDetails(mesh);
+  const MeshFileOptions options{Unit::kMetre, "sphere", {{"creator", "lascaux test"}}};
+  log(WritePly(folder / "parts.ply", mesh, details, options));
+  log(WriteObj(folder / "sphere.obj", mesh, details, options));
+  log(WriteGlb(folder / "sphere.glb", mesh, details, options));
+  log(WriteUsda(folder / "sphere.usda", mesh, details, {options, "sphere.vdb"}));
+  log(Write3mf(folder / "sphere.3mf", mesh, details, {options, SamplePicture(32, 32)}));
   const auto grid = SampleLevelSet(0.4);
   log(WriteVdb(folder / "sphere.vdb", *grid, {.metadata = {{"creator", "lascaux test"}}}));
   log(WriteVdb(folder / "sphere_mm.vdb", *grid, {.unit = Unit::kMillimetre}));

@@ -3,26 +3,21 @@
 #include <filesystem>
 
 #include "lascaux/base/outcome.h"
-#include "lascaux/io/units.h"
+#include "lascaux/io/mesh_file.h"
 #include "lascaux/volume/mesh.h"
+#include "lascaux/volume/mesh_details.h"
 
 /// @file
-/// PLY, binary little endian: vertices with normals.
+/// PLY, binary little endian: vertices with normals and parts.
 
 namespace lascaux {
 
-struct WritePlyOptions {
-  Unit unit = Unit::kMetre;
-
-  bool operator==(const WritePlyOptions&) const = default;
-};
-
 /// Writes the mesh in the scene frame (the model's axes, Y up), scaled to the unit, which stands in
-/// a comment.
+/// a comment: vertices with normals and, where there are parts, `red green blue` (sRGB) and
+/// `part_id`, an index into the comments `part INDEX NAME`.
 ///
-/// Vertex normals are means of the faces' normals weighted by area, of length 1; (0, 0, 0) for a
-/// vertex in no face. Error: "cannot-write".
+/// Without normals in the details they are VertexNormals(). Error: "cannot-write".
 Diagnostics WritePly(const std::filesystem::path& path, const Mesh& mesh,
-                     const WritePlyOptions& options = {});
+                     const MeshDetails& details = {}, const MeshFileOptions& options = {});
 
 }  // namespace lascaux

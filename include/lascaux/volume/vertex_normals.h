@@ -1,0 +1,28 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "lascaux/base/execution.h"
+#include "lascaux/field/field.h"
+#include "lascaux/volume/mesh.h"
+
+/// @file
+/// Normals at a mesh's vertices.
+
+namespace lascaux {
+
+/// Means of the faces' normals weighted by area, of length 1; (0, 0, 0) for a vertex in no face
+/// with area.
+std::vector<Eigen::Vector3f> VertexNormals(const Mesh& mesh);
+
+/// Directions against the field's gradient, of length 1: smoother than the mesh, whose faces follow
+/// the voxels.
+///
+/// `offset` is added to the vertices first. Where the gradient is more than 60 degrees from the
+/// faces' mean (in creases), that mean is taken. About 0.2 us a vertex.
+std::vector<Eigen::Vector3f> FieldNormals(const Mesh& mesh, const Field& field,
+                                          const Eigen::Vector3d& offset,
+                                          const Execution& execution = {});
+
+}  // namespace lascaux

@@ -1,0 +1,81 @@
+#include "lascaux/volume/part_of_points.h"
+
+#include <tbb/parallel_for.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "lascaux/field/compiled_field.h"
+#include "volume/arena.h"
+#include "volume/point_cells.h"
+
+namespace lascaux {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Each part by itself, ready for blocks.
+std::vector<CompiledField> CompileParts(const Field& field) {
+  std::vector<CompiledField> compiled;
+  for (const FieldPart& part : field.parts) {
+    Field alone;
+    alone.chain_exponent = field.chain_exponent;
+    alone.parts = {part};
+    alone.parts[0].parent.reset();
+    compiled.emplace_back(alone);
+  }
+  return compiled;
+}
+
+/// A part that may be the largest in a block, with the primitives that matter there.
+struct Candidate {
+  std::size_t part;
+  BallBounds found;
+};
+
+std::vector<Candidate> FindCandidates(const std::vector<CompiledField>& parts, const Ball& ball) {
+  std::vector<Candidate> candidates;
+  float least = 0;  // some part has at least this everywhere
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    if (parts[p].bounds().exteriorDistance(ball.center) > ball.radius) continue;
+    BallBounds found = parts[p].BoundOnBall(ball, parts[p].All());
+    if (!(found.bounds.upper > 0)) continue;
+    least = std::max(least, found.bounds.lower);
+    candidates.push_back({p, std::move(found)});
+  }
+  std::erase_if(candidates, [least](const Candidate& c) { return c.found.bounds.upper < least; });
+  return candidates;
+}
+
+}  // namespace
+
+std::vector<std::uint16_t> PartOfPoints(const Field& field, std::span<const Eigen::Vector3f> points,
+                                        const Vector3d& offset, const Execution& execution) {
+  assert(field.parts.size() < kNoPart);
+  std::vector<std::uint16_t> result(points.size(), kNoPart);
+  const std::vector<CompiledField> parts = CompileParts(field);
+  const PointCells cells(points);
+  const auto decide = [&](std::size_t cell) {
+    const std::span<const std::uint32_t> which = cells.Points(cell);
+    const CellBlock block(points, which, offset);
+    const std::vector<Candidate> candidates = FindCandidates(parts, block.ball);
+    std::vector<float> best(which.size(), 0.0F), values(which.size());
+    for (const Candidate& candidate : candidates) {
+      parts[candidate.part].EvaluateValues(block.Points(), candidate.found.active, values);
+      for (std::size_t i = 0; i < which.size(); ++i) {
+        if (values[i] <= best[i]) continue;
+        best[i] = values[i];
+        result[which[i]] = static_cast<std::uint16_t>(candidate.part);
+      }
+    }
+  };
+  RunInArena(execution, [&] { tbb::parallel_for(std::size_t{0}, cells.count(), decide); });
+  return result;
+}
+
+}  // namespace lascaux
