@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "check_command.h"
 #include "grid_plugin.h"
 #include "lascaux/io/content_hash.h"
 #include "lascaux/io/read_file.h"
@@ -87,8 +88,10 @@ struct Job {
 LastStage LastStageFor(Verb verb, const std::vector<OutputTarget>& targets) {
   if (verb == Verb::kTrace) return LastStage::kSketch;
   if (verb == Verb::kInspect) return LastStage::kCreature;
-  const bool picture =
-      std::any_of(targets.begin(), targets.end(), [](const auto& t) { return IsPicture(t.kind); });
+  // A 3MF file holds a thumbnail.
+  const bool picture = std::any_of(targets.begin(), targets.end(), [](const auto& t) {
+    return IsPicture(t.kind) || t.kind == OutputKind::k3mf;
+  });
   return picture ? LastStage::kPreview : LastStage::kMesh;
 }
 
@@ -124,6 +127,14 @@ Model Make(const Job& job, const CommandOptions& options, const Execution& execu
   if (!pipeline) return model;
   pipeline->last = job.last;
   if (HasLayers(job.targets)) pipeline->preview.render.layers = Layers::kAll;
+  const auto any = [&job](auto&& is) {
+    return std::any_of(job.targets.begin(), job.targets.end(),
+                       [&is](const auto& target) { return is(target.kind); });
+  };
+  pipeline->details = any(HoldsDetails);
+  pipeline->print_warnings = any(IsPrinted);
+  pipeline->print_facts =
+      pipeline->print_warnings || any([](OutputKind kind) { return kind == OutputKind::kReport; });
   model = RunPipeline(*bytes, *pipeline, execution);
   model.file = job.sketch;
   model.timings.stages.front().second += reading.stages.front().second;
@@ -134,6 +145,7 @@ Model Make(const Job& job, const CommandOptions& options, const Execution& execu
   WriteOptions write = options.write;
   write.metadata = Metadata(options.pipeline, *bytes);
   for (auto& entry : HeadMetadata(model)) write.metadata.push_back(std::move(entry));
+  write.name = SketchName(job.sketch);
   WriteOutputs(model, job.targets, write, execution);
   return model;
 }
@@ -156,6 +168,7 @@ ExitCode RunJob(const Job& job, const CommandOptions& options, const Execution& 
 }  // namespace
 
 ExitCode RunCommand(Verb verb, const CommandOptions& options, const Execution& execution) {
+  if (verb == Verb::kCheck) return RunCheck(options, execution);
   Diagnostics errors = CheckInputs(options);
   const auto plan = Plan(verb, options).MoveInto(errors);
   if (!plan || HasError(errors)) {

@@ -24,6 +24,7 @@ Examples:
   lascaux build photo.jpg -o cat.stl
   lascaux trace photo.jpg -o cat.svg
   lascaux render cat.vdb -o views.png --contact-sheet
+  lascaux check cat.stl
   cat cat.svg | lascaux build - --format svg -o cat.vdb
 )";
 
@@ -93,10 +94,10 @@ void AddBuild(CLI::App& app, CommandLine& line) {
   constexpr double kLargestBlend = 64;         // the field's own limit on exponents
   CommandOptions& options = line.options;
   PipelineOptions& pipeline = options.pipeline;
-  app.add_option(
-         "-o,--output", options.outputs,
-         "A file to write, again for each more: .vdb .stl .ply .png .exr .json (report) .svg "
-         "(how the drawing was read); {} stands for the sketch's name")
+  app.add_option("-o,--output", options.outputs,
+                 "A file to write, again for each more: .vdb .stl .3mf .glb .obj .ply .usda .png "
+                 ".exr .json "
+                 "(report) .svg (how the drawing was read); {} stands for the sketch's name")
       ->type_name("FILE")
       ->take_all();
   AddShared(app, line);
@@ -124,7 +125,8 @@ void AddBuild(CLI::App& app, CommandLine& line) {
       ->transform(CLI::Transformer(std::map<std::string, OutlineFit>{
           {"outline", OutlineFit::kExact}, {"none", OutlineFit::kNone}}))
       ->type_name("HOW");
-  app.add_option("--units", options.write.unit, "Unit of .vdb and .ply: mm, cm or m (default m)")
+  app.add_option("--units", options.write.unit,
+                 "Unit of .vdb, .obj, .ply and .usda: mm, cm or m (default m)")
       ->transform(CLI::Transformer(std::map<std::string, Unit>{
           {"mm", Unit::kMillimetre}, {"cm", Unit::kCentimetre}, {"m", Unit::kMetre}}))
       ->type_name("UNIT");
@@ -170,6 +172,22 @@ void AddTrace(CLI::App& app, CommandLine& line) {
   AddInputs(app, line);
 }
 
+void AddCheck(CLI::App& app, CommandLine& line) {
+  CommandOptions& options = line.options;
+  app.add_option("MESH", options.sketches, "Meshes (.stl .ply .obj .glb .3mf)")->required();
+  app.add_option("-o,--output", options.outputs,
+                 "Writes what was found as .json; {} stands for the mesh's name, - for standard "
+                 "output")
+      ->type_name("FILE")
+      ->take_all();
+  app.add_option("--threads", line.threads, "Worker threads (default: all)")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  app.add_flag_callback(
+      "--quiet,-q", [&options] { options.verbosity = Verbosity::kQuiet; },
+      "Only warnings and errors");
+}
+
 std::string OneLine(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text;
@@ -191,6 +209,8 @@ std::variant<CommandLine, Answer> ParseCommandLine(std::vector<std::string> argu
   AddInspect(*inspect, line);
   AddTrace(*trace, line);
   AddRender(*render, line.render, line.threads);
+  CLI::App* check = app.add_subcommand("check", "Tells whether a mesh can be printed");
+  AddCheck(*check, line);
   try {
     std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
     app.parse(arguments);
@@ -208,6 +228,7 @@ std::variant<CommandLine, Answer> ParseCommandLine(std::vector<std::string> argu
   line.verb = inspect->parsed()  ? Verb::kInspect
               : trace->parsed()  ? Verb::kTrace
               : render->parsed() ? Verb::kRender
+              : check->parsed()  ? Verb::kCheck
                                  : Verb::kBuild;
   return line;
 }

@@ -19,6 +19,8 @@ using Json = nlohmann::ordered_json;
 
 inline Json PointJson(const Eigen::Vector2d& point) { return {point.x(), point.y()}; }
 
+inline Json PlaceJson(const Eigen::Vector3d& place) { return {place.x(), place.y(), place.z()}; }
+
 inline Json RingJson(const std::vector<Eigen::Vector2d>& ring) {
   Json json = Json::array();
   for (const Eigen::Vector2d& point : ring) json.push_back(PointJson(point));

@@ -19,7 +19,9 @@
 #include "lascaux/volume/check_mesh.h"
 #include "lascaux/volume/fidelity.h"
 #include "lascaux/volume/mesh.h"
+#include "lascaux/volume/mesh_details.h"
 #include "lascaux/volume/picture.h"
+#include "print_facts.h"
 
 namespace lascaux {
 
@@ -51,11 +53,14 @@ struct Model {
   std::optional<std::vector<Skeleton>> skeletons;
   std::optional<Creature> creature;
   std::optional<ModelFrame> frame;
+  double lift = 0;  ///< mm by which the mesh and the grid lie above the field, which is not moved
   std::optional<Field> field;
   std::shared_ptr<Grid> grid;
   std::optional<GridFacts> grid_facts;
   std::optional<Mesh> mesh;
   std::optional<MeshFacts> facts;
+  std::optional<MeshDetails> details;  ///< made when an output holds them
+  std::optional<PrintFacts> print;     ///< measured for outputs that are printed and for reports
   std::optional<Fidelity> fidelity;
   std::optional<Picture> preview;
   Diagnostics diagnostics;

@@ -24,7 +24,9 @@ struct Ending {
 
 constexpr std::array kBuildEndings = {
     Ending{".vdb", OutputKind::kVdb},         Ending{".stl", OutputKind::kStl},
-    Ending{".ply", OutputKind::kPly},         Ending{".png", OutputKind::kPng},
+    Ending{".3mf", OutputKind::k3mf},         Ending{".glb", OutputKind::kGlb},
+    Ending{".obj", OutputKind::kObj},         Ending{".ply", OutputKind::kPly},
+    Ending{".usda", OutputKind::kUsda},       Ending{".png", OutputKind::kPng},
     Ending{".exr", OutputKind::kExr},         Ending{".json", OutputKind::kReport},
     Ending{".svg", OutputKind::kParsePicture}};
 constexpr std::array kInspectEndings = {Ending{".svg", OutputKind::kParsePicture},
@@ -33,7 +35,9 @@ constexpr std::array kRenderEndings = {Ending{".png", OutputKind::kPng},
                                        Ending{".exr", OutputKind::kExr}};
 constexpr std::array kTraceEndings = {Ending{".svg", OutputKind::kCurves},
                                       Ending{".json", OutputKind::kTraceFacts}};
-constexpr std::string_view kBuildFormats = ".vdb .stl .ply .png .exr .json .svg";
+constexpr std::array kCheckEndings = {Ending{".json", OutputKind::kReport}};
+constexpr std::string_view kBuildFormats =
+    ".vdb .stl .3mf .glb .obj .ply .usda .png .exr .json .svg";
 constexpr std::string_view kInspectFormats = ".svg .json";
 constexpr std::string_view kTraceFormats = ".svg .json";
 constexpr std::string_view kRenderFormats = ".png .exr";
@@ -52,6 +56,8 @@ VerbFormats FormatsOf(Verb verb) {
       return {"render", kRenderEndings, kRenderFormats};
     case Verb::kTrace:
       return {"trace", kTraceEndings, kTraceFormats};
+    case Verb::kCheck:
+      return {"check", kCheckEndings, ".json"};
     case Verb::kBuild:
       break;
   }
@@ -93,11 +99,19 @@ fs::path Identity(const fs::path& path) {
 
 }  // namespace
 
+std::string SketchName(const std::string& sketch) {
+  return sketch == "-" ? "stdin" : fs::path(sketch).stem().string();
+}
+
 Outcome<std::vector<OutputRequest>> ReadOutputNames(Verb verb,
                                                     const std::vector<std::string>& names) {
   std::vector<OutputRequest> requests;
   Diagnostics errors;
   for (const std::string& name : names) {
+    if (name == "-" && verb == Verb::kCheck) {
+      requests.push_back({OutputKind::kReport, name});
+      continue;
+    }
     if (name == "-") {
       errors.push_back(Usage("stdout-output", "-o - : models are written to files; name one"));
       continue;
@@ -137,7 +151,7 @@ Outcome<std::vector<std::vector<OutputTarget>>> PlanOutputs(
   for (const std::string& sketch : sketches)
     if (sketch != "-") inputs.insert(Identity(sketch));
   for (const std::string& sketch : sketches) {
-    const std::string stem = sketch == "-" ? "stdin" : fs::path(sketch).stem().string();
+    const std::string stem = SketchName(sketch);
     std::vector<OutputTarget>& targets = plan.emplace_back();
     for (const OutputRequest& request : requests) {
       const fs::path path = Substitute(request.name, stem);

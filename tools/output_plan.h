@@ -15,7 +15,11 @@ namespace lascaux {
 enum class OutputKind : std::uint8_t {
   kVdb,
   kStl,
+  k3mf,
+  kGlb,
+  kObj,
   kPly,
+  kUsda,
   kPng,
   kExr,
   kReport,
@@ -27,13 +31,25 @@ enum class OutputKind : std::uint8_t {
 
 /// True for the files that hold the model or show it; they don't appear when the build failed.
 constexpr bool IsModel(OutputKind kind) noexcept {
-  return kind == OutputKind::kVdb || kind == OutputKind::kStl || kind == OutputKind::kPly ||
-         kind == OutputKind::kPng || kind == OutputKind::kExr;
+  return kind != OutputKind::kReport && kind != OutputKind::kParsePicture &&
+         kind != OutputKind::kParseDump && kind != OutputKind::kCurves &&
+         kind != OutputKind::kTraceFacts;
 }
 
 /// True for pictures of the model.
 constexpr bool IsPicture(OutputKind kind) noexcept {
   return kind == OutputKind::kPng || kind == OutputKind::kExr;
+}
+
+/// True for the files that hold more of a mesh than triangles: normals, parts and their colours.
+constexpr bool HoldsDetails(OutputKind kind) noexcept {
+  return kind == OutputKind::k3mf || kind == OutputKind::kGlb || kind == OutputKind::kObj ||
+         kind == OutputKind::kPly || kind == OutputKind::kUsda;
+}
+
+/// True for the files that go to a printer.
+constexpr bool IsPrinted(OutputKind kind) noexcept {
+  return kind == OutputKind::kStl || kind == OutputKind::k3mf;
 }
 
 /// A name as given: it may hold "{}".
@@ -51,10 +67,14 @@ struct OutputTarget {
 /// True when one of them holds more of a picture than its colours.
 bool HasLayers(const std::vector<OutputTarget>& targets);
 
-/// What the verbs of the program write: an ending stands for a format.
-enum class Verb : std::uint8_t { kBuild, kInspect, kTrace, kRender };
+/// What stands for "{}": the sketch's file name without its ending, "stdin" for "-".
+std::string SketchName(const std::string& sketch);
 
-/// The formats that the names' endings ask for. Errors: "unknown-format", "stdout-output".
+/// What the verbs of the program write: an ending stands for a format.
+enum class Verb : std::uint8_t { kBuild, kInspect, kTrace, kRender, kCheck };
+
+/// The formats that the names' endings ask for; "-" is standard output for the one format of
+/// kCheck. Errors: "unknown-format", "stdout-output".
 Outcome<std::vector<OutputRequest>> ReadOutputNames(Verb verb,
                                                     const std::vector<std::string>& names);
 

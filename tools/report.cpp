@@ -86,14 +86,11 @@ Json GridJson(const std::optional<GridFacts>& facts) {
           {"bytes", facts->bytes}};
 }
 
-Json MeshJson(const std::optional<MeshFacts>& facts) {
-  if (!facts) return nullptr;
-  return {
-      {"vertices", facts->vertices},     {"triangles", facts->triangles},
-      {"closed", facts->closed},         {"manifold", facts->manifold},
-      {"oriented", facts->oriented},     {"self_intersections", OrNull(facts->self_intersections)},
-      {"components", facts->components}, {"genus", OrNull(facts->genus)},
-      {"volume", facts->volume},         {"area", facts->area}};
+Json MeshJson(const Model& model) {
+  if (!model.facts) return nullptr;
+  Json json = MeshFactsJson(*model.facts);
+  json.update(PrintFactsJson(model.print));
+  return json;
 }
 
 Json FidelityJson(const std::optional<Fidelity>& fidelity) {
@@ -112,6 +109,17 @@ Json TimingsJson(const Timings& timings) {
 
 }  // namespace
 
+Json MeshFactsJson(const MeshFacts& facts) {
+  return {
+      {"vertices", facts.vertices},     {"triangles", facts.triangles},
+      {"closed", facts.closed},         {"manifold", facts.manifold},
+      {"oriented", facts.oriented},     {"self_intersections", OrNull(facts.self_intersections)},
+      {"components", facts.components}, {"genus", OrNull(facts.genus)},
+      {"volume", facts.volume},         {"area", facts.area},
+      {"degenerate", facts.degenerate}, {"coincident", facts.coincident},
+      {"invalid", facts.invalid}};
+}
+
 std::string ReportText(const Model& model, ReportTimings timings) {
   Json json = {{"format", "lascaux.report/1"},
                {"sketch", SketchJson(model)},
@@ -122,7 +130,7 @@ std::string ReportText(const Model& model, ReportTimings timings) {
   json["parts"] = PartsJson(model);
   json["diagnostics"] = DiagnosticsJson(model.diagnostics);
   json["grid"] = GridJson(model.grid_facts);
-  json["mesh"] = MeshJson(model.facts);
+  json["mesh"] = MeshJson(model);
   json["fidelity"] = FidelityJson(model.fidelity);
   if (timings == ReportTimings::kWith) json["timings_ms"] = TimingsJson(model.timings);
   return JsonText(json);

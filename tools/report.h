@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "json_values.h"
 #include "model.h"
 
 namespace lascaux {
@@ -13,5 +14,8 @@ enum class ReportTimings : std::uint8_t { kWith, kWithout };
 ///
 /// What was not measured is null. Equal runs give equal bytes but for `timings_ms`.
 std::string ReportText(const Model& model, ReportTimings timings);
+
+/// What was counted on a mesh, as the report's "mesh" has it.
+Json MeshFactsJson(const MeshFacts& facts);
 
 }  // namespace lascaux

@@ -12,6 +12,7 @@
 #include "lascaux/skeleton/normalise_outline.h"
 #include "lascaux/volume/extract_mesh.h"
 #include "lascaux/volume/narrow_band.h"
+#include "mesh_details_of.h"
 #include "run_together.h"
 #include "settle.h"
 #include "stopwatch.h"
@@ -30,6 +31,8 @@ class Run {
     const bool understood = Understand() && ExtractSkeleton() && Fit();
     if (!understood || options_.last == LastStage::kCreature) return;
     if (!MakeVolume() || !MakeMesh() || !Measure()) return;
+    if (options_.details || options_.print_facts) AddDetails();
+    if (options_.print_facts) MeasurePrint();
     if (options_.last == LastStage::kPreview) RenderPreview();
   }
 
@@ -143,6 +146,21 @@ class Run {
     const Diagnostics defects = MeshDefects(*model_.facts);
     model_.diagnostics.insert(model_.diagnostics.end(), defects.begin(), defects.end());
     return defects.empty();
+  }
+
+  void AddDetails() {
+    const Stopwatch watch(model_.timings, "details");
+    execution_.Report("telling the parts apart", 0);
+    model_.details = MeshDetailsOf(model_, execution_);
+  }
+
+  void MeasurePrint() {
+    const Stopwatch watch(model_.timings, "walls");
+    execution_.Report("measuring the walls", 0);
+    model_.print = MeasureForPrint(*model_.mesh, *model_.details, 1, execution_);
+    if (!options_.print_warnings) return;
+    for (Diagnostic& warning : PrintWarnings(*model_.print))
+      model_.diagnostics.push_back(std::move(warning));
   }
 
   bool RenderPreview() {

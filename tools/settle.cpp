@@ -16,6 +16,7 @@ void StandOnGround(Model& model) {
   for (Eigen::Vector3f& vertex : model.mesh->vertices) vertex.y() -= lowest;
   model.grid->surface.origin.y() -= static_cast<double>(lowest);
   model.frame->shift.y() -= static_cast<double>(lowest);
+  model.lift -= static_cast<double>(lowest);
 }
 
 std::vector<std::vector<Eigen::Vector2d>> BuiltOutlines(const Model& model) {

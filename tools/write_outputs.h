@@ -18,6 +18,7 @@ struct WriteOptions {
   ReportTimings timings = ReportTimings::kWith;
   /// Text metadata of the formats that take it: creator, version, the sketch's hash, the options.
   std::vector<std::pair<std::string, std::string>> metadata;
+  std::string name;  ///< of the model: the sketch's
 };
 
 /// Writes the files of one sketch, all or none. When the model has an error, only the report, the

@@ -23,11 +23,14 @@ std::vector<std::string> Paths(const Names& sketches, const std::vector<OutputRe
 TEST(OutputPlan, EndingsNameFormatsInAnyCase) {
   Diagnostics log;
   const auto requests =
-      ReadOutputNames(Verb::kBuild, {"a.vdb", "a.STL", "a.ply", "a.png", "a.json", "a.svg"})
+      ReadOutputNames(Verb::kBuild, {"a.vdb", "a.STL", "a.3mf", "a.glb", "a.obj", "a.ply", "a.usda",
+                                     "a.png", "a.json", "a.svg"})
           .MoveInto(log);
   ASSERT_TRUE(requests);
-  const std::vector kinds = {OutputKind::kVdb, OutputKind::kStl,    OutputKind::kPly,
-                             OutputKind::kPng, OutputKind::kReport, OutputKind::kParsePicture};
+  const std::vector kinds = {OutputKind::kVdb,         OutputKind::kStl, OutputKind::k3mf,
+                             OutputKind::kGlb,         OutputKind::kObj, OutputKind::kPly,
+                             OutputKind::kUsda,        OutputKind::kPng, OutputKind::kReport,
+                             OutputKind::kParsePicture};
   for (std::size_t i = 0; i < kinds.size(); ++i) EXPECT_EQ((*requests)[i].kind, kinds[i]);
 }
 
@@ -41,12 +44,13 @@ TEST(OutputPlan, InspectWritesPictureAndDump) {
 }
 
 TEST(OutputPlan, UnknownEndingsAreRefusedWithTheListOfKnownOnes) {
-  for (const char* name : {"a.glb", "a.3mf", "a.obj", "a.usda", "a.jpg", "a", "a."}) {
+  for (const char* name : {"a.jpg", "a.fbx", "a.usd", "a", "a."}) {
     const auto outcome = ReadOutputNames(Verb::kBuild, {name});
     ASSERT_FALSE(outcome.ok()) << name;
     EXPECT_EQ(outcome.diagnostics().front().code, "unknown-format");
     EXPECT_EQ(outcome.diagnostics().front().failure, FailureKind::kUsage);
-    EXPECT_NE(outcome.diagnostics().front().message.find(".vdb .stl .ply"), std::string::npos);
+    EXPECT_NE(outcome.diagnostics().front().message.find(".vdb .stl .3mf .glb .obj .ply .usda"),
+              std::string::npos);
   }
   EXPECT_EQ(ReadOutputNames(Verb::kBuild, {"-"}).diagnostics().front().code, "stdout-output");
 }
