@@ -39,7 +39,7 @@ inline std::string WrongWith(const Outcome<Sketch>& outcome) {
                                           "too-large"};
   constexpr std::string_view kOthers[] = {"bad-path-data",    "bad-attribute", "bad-reference",
                                           "duplicate-stroke", "hidden-line",   "zero-length-piece",
-                                          "ignored-element"};
+                                          "ignored-element",  "ink-outlines"};
   const auto contains = [](const auto& list, std::string_view code) {
     return std::find(std::begin(list), std::end(list), code) != std::end(list);
   };

@@ -9,6 +9,7 @@
 
 #include "sketch/svg/cover.h"
 #include "sketch/svg/duplicates.h"
+#include "sketch/svg/ink_outlines.h"
 
 namespace lascaux::svg {
 namespace {
@@ -90,7 +91,9 @@ class Page {
 
   /// Whether a subpath's curve is a stroke, as far as it can be seen.
   bool IsDrawn(const PaintedSubpath& subpath) const {
-    if (subpath.is_line || IsBlob(subpath)) return true;
+    if (subpath.is_line) return true;
+    if (subpath.is_ink) return false;
+    if (IsBlob(subpath)) return true;
     return areas_are_drawn_ && (!IsWhite(subpath) || !any_color_ || LiesOnColor(subpath));
   }
 
@@ -209,6 +212,7 @@ Diagnostic OutOfRange(const std::string& name) {
 
 Outcome<Sketch> DrawPage(std::vector<PaintedSubpath> painted, Reading& reading) {
   Findings& findings = reading.findings();
+  TakeInkOutlines(painted, reading);
   const Page page(painted);
   // Lines first: an area that is the same curve as a line is that line's filling, whichever is
   // drawn first.

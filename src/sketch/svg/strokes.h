@@ -34,6 +34,7 @@ struct PaintedSubpath {
   Eigen::Vector2d start;
   bool is_line = false, is_area = false;
   bool covers = false;  ///< it hides what was drawn before it
+  bool is_ink = false;  ///< its area is a line's ink, and the line is there as well
   FillRule fill_rule = FillRule::kNonZero;
   int order = 0;  ///< of its element
   int dropped_pieces = 0;

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "sketch/trace/fills.h"
 #include "sketch/trace/find_ink.h"
-#include "sketch/trace/gate.h"
 #include "sketch/trace/trace_ink.h"
 
 namespace lascaux::trace {
@@ -12,45 +13,26 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kPixelsToWidth = 8;
-constexpr double kMostPixels = 4e6;
-constexpr double kMargin = 2;  // pixels around the shape
+constexpr double kMargin = 2;  // pixels around the box
 
-Eigen::AlignedBox2d BoundsOf(const Contours& contours) {
-  Eigen::AlignedBox2d box;
-  for (const auto& contour : contours)
-    for (const CubicBezier& curve : contour) box.extend(Bounds(curve));
-  return box;
+Mask MaskOf(const Tone& coverage) {
+  Mask mask(coverage.width, coverage.height);
+  for (std::size_t i = 0; i < mask.data.size(); ++i)
+    mask.data[i] = coverage.data[i] >= 0.5f ? 1 : 0;
+  return mask;
 }
 
-double LengthOf(const Contours& contours, double tolerance) {
-  double length = 0;
-  for (const auto& contour : contours) {
-    for (const CubicBezier& curve : contour) {
-      const auto samples = Flatten(curve, tolerance);
-      for (std::size_t i = 1; i < samples.size(); ++i)
-        length += (samples[i].point - samples[i - 1].point).norm();
-    }
-    if (!contour.empty()) length += (contour.back().p[3] - contour.front().p[0]).norm();
+/// Lines only: of areas filled with ink what a pen would have drawn around them.
+Ink WithoutFills(Ink ink) {
+  const Fills fills = FillsOf(ink.mask, ink.width);
+  if (!(fills.share > 0)) return ink;
+  for (std::size_t i = 0; i < ink.mask.data.size(); ++i) {
+    if (fills.interior.data[i]) ink.mask.data[i] = 0, ink.coverage.data[i] = 0;
   }
-  return length;
+  return InkOfMask(std::move(ink.mask), std::move(ink.coverage));
 }
 
-RasterFrame FrameFor(const Eigen::AlignedBox2d& box, double scale) {
-  // The margin keeps the ink off the edge, and bounds the pixels of a shape of no height.
-  const Vector2d pixels = box.sizes() / scale;
-  return {box.min() - Vector2d::Constant(kMargin * scale), scale,
-          static_cast<int>(std::ceil(pixels.x() + 2 * kMargin)),
-          static_cast<int>(std::ceil(pixels.y() + 2 * kMargin))};
-}
-
-/// Pixels so large that the box has at most `most` of them.
-double CoarsestFor(const Eigen::AlignedBox2d& box, double most) {
-  const Vector2d size = box.sizes();
-  return std::max(std::sqrt(size.prod() / most), size.maxCoeff() / most);
-}
-
-Stroke InShapesUnits(Stroke stroke, const RasterFrame& frame) {
+Stroke InUnitsOf(const RasterFrame& frame, Stroke stroke) {
   for (CubicBezier& piece : stroke.pieces)
     for (Vector2d& p : piece.p) p = frame.origin + frame.scale * p;
   stroke.width *= frame.scale;
@@ -59,36 +41,28 @@ Stroke InShapesUnits(Stroke stroke, const RasterFrame& frame) {
 
 }  // namespace
 
-double InkWidthOf(const Contours& contours, FillRule rule) {
-  // The area as pixels have it, since contours may overlap; a thousandth of the size is enough.
-  const Eigen::AlignedBox2d box = BoundsOf(contours);
-  if (box.isEmpty() || !(box.sizes().maxCoeff() > 0)) return 0;
-  constexpr double kSamples = 1e6;
-  const RasterFrame frame = FrameFor(box, CoarsestFor(box, kSamples));
-  double area = 0;
-  for (const float v : Rasterised(contours, rule, frame).data) area += static_cast<double>(v);
-  const double perimeter = LengthOf(contours, 0.1 * frame.scale);
-  return perimeter > 0 ? 2 * area * frame.scale * frame.scale / perimeter : 0;
+RasterFrame FrameAround(const Eigen::AlignedBox2d& box, double scale, double most_pixels) {
+  const Vector2d size = box.sizes();
+  // The second bound is for boxes of no height.
+  scale =
+      std::max({scale, std::sqrt(size.prod() / most_pixels), 4 * size.maxCoeff() / most_pixels});
+  const Vector2d pixels = size / scale;
+  return {box.min() - Vector2d::Constant(kMargin * scale), scale,
+          static_cast<int>(std::ceil(pixels.x() + 2 * kMargin)),
+          static_cast<int>(std::ceil(pixels.y() + 2 * kMargin))};
 }
 
-std::optional<CentreLines> CentreLinesOf(const Contours& contours, FillRule rule,
+std::optional<CentreLines> CentreLinesOf(Tone ink, const RasterFrame& frame,
                                          const TracePictureOptions& options) {
-  const double width = InkWidthOf(contours, rule);
-  if (!(width > 0)) return std::nullopt;
-  const Eigen::AlignedBox2d box = BoundsOf(contours);
-  const RasterFrame frame =
-      FrameFor(box, std::max(width / kPixelsToWidth, CoarsestFor(box, kMostPixels)));
-  Tone coverage = Rasterised(contours, rule, frame);
-  Mask mask(frame.width, frame.height);
-  for (std::size_t i = 0; i < mask.data.size(); ++i)
-    mask.data[i] = coverage.data[i] >= 0.5f ? 1 : 0;
-  const Ink ink = InkOfMask(std::move(mask), std::move(coverage));
-  if (!(ink.width > 0)) return std::nullopt;
-  const std::vector<Stroke> strokes = TraceInk(ink, options);
+  Mask mask = MaskOf(ink);
+  const Ink lines_only = WithoutFills(InkOfMask(std::move(mask), std::move(ink)));
+  if (!(lines_only.width > 0)) return std::nullopt;
+  const std::vector<Stroke> strokes = TraceInk(lines_only, options);
   if (strokes.empty()) return std::nullopt;
   CentreLines lines;
-  lines.gate = Compare(strokes, ink);
-  for (const Stroke& stroke : strokes) lines.strokes.push_back(InShapesUnits(stroke, frame));
+  lines.gate = Compare(strokes, lines_only);
+  lines.width = lines_only.width * frame.scale;
+  for (const Stroke& stroke : strokes) lines.strokes.push_back(InUnitsOf(frame, stroke));
   return lines;
 }
 

@@ -8,24 +8,24 @@
 
 namespace lascaux::trace {
 
-/// The pen's width of a shape that is the outline of ink: twice its area over its perimeter, which
-/// is exact for a long line of one width. 0 for a shape without area.
-double InkWidthOf(const Contours& contours, FillRule rule);
+/// The box at this many units to a pixel, with a margin that keeps it off the edge. At most
+/// `most_pixels`: a box that is larger has larger pixels.
+RasterFrame FrameAround(const Eigen::AlignedBox2d& box, double scale, double most_pixels);
 
-/// Pen strokes in the units of the shape, and how well they are its ink.
+/// Pen strokes in the frame's units, and how well they are the ink.
 struct CentreLines {
   std::vector<Stroke> strokes;
-  GateFacts gate;  ///< its place is in the pixels that were worked on
+  GateFacts gate;    ///< its place is in pixels
+  double width = 0;  ///< of the ink
 };
 
-/// The centre lines of ink that is drawn as a filled shape: rasterised at about eight pixels to its
-/// width, and traced like a picture. Strokes have the ink's width and no colours.
+/// The centre lines of ink that was drawn as filled shapes: `ink` says how much of each pixel it
+/// covers, and should have it about eight pixels wide. Areas far wider than the lines have their
+/// outlines traced. Strokes have the ink's width and no colours.
 ///
-/// Whether the shape is ink at all is for the caller to say (a small InkWidthOf against its size);
-/// where gate.coverage is below 0.97, or gate.curve_regions differs from ink_regions, it
-/// rather isn't. Nothing for a shape without area. At most 4 million pixels, 0.2 s: a shape that is
-/// larger against its ink is worked on at fewer pixels to the width.
-std::optional<CentreLines> CentreLinesOf(const Contours& contours, FillRule rule,
+/// Whether the shapes are ink at all is for the caller to say. Nothing where there is no ink.
+/// Linear: 0.2 s for 4 million pixels.
+std::optional<CentreLines> CentreLinesOf(Tone ink, const RasterFrame& frame,
                                          const TracePictureOptions& options = {});
 
 }  // namespace lascaux::trace

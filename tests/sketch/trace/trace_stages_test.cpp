@@ -94,8 +94,8 @@ TEST(TraceStages, CentreOfAnOutlinedPenStrokeIsThePensPath) {
   const Stroke ring = lascaux::testing::Circle({3, 4}, 1),
                hole = lascaux::testing::Circle({3, 4}, 0.9);
   const Contours contours{ring.pieces, hole.pieces};
-  EXPECT_NEAR(InkWidthOf(contours, FillRule::kEvenOdd), 0.1, 0.001);
-  const auto lines = CentreLinesOf(contours, FillRule::kEvenOdd);
+  const RasterFrame frame = FrameAround({Vector2d(2, 3), Vector2d(4, 5)}, 0.0125, 1e6);
+  const auto lines = CentreLinesOf(Rasterised(contours, FillRule::kEvenOdd, frame), frame);
   ASSERT_TRUE(lines && lines->strokes.size() == 1);
   EXPECT_TRUE(lines->strokes[0].closed);
   EXPECT_NEAR(lines->strokes[0].width, 0.1, 0.01);
@@ -107,8 +107,10 @@ TEST(TraceStages, CentreOfAnOutlinedPenStrokeIsThePensPath) {
 }
 
 TEST(TraceStages, ShapeWithoutAreaHasNoCentreLine) {
-  EXPECT_FALSE(CentreLinesOf({}, FillRule::kNonZero));
-  EXPECT_FALSE(CentreLinesOf({{Line({1, 1}, {2, 5})}}, FillRule::kNonZero));
+  const RasterFrame frame = FrameAround({Vector2d(1, 1), Vector2d(2, 5)}, 0.1, 1e6);
+  EXPECT_FALSE(CentreLinesOf(Rasterised({}, FillRule::kNonZero, frame), frame));
+  const Contours line{{Line({1, 1}, {2, 5})}};
+  EXPECT_FALSE(CentreLinesOf(Rasterised(line, FillRule::kNonZero, frame), frame));
 }
 
 TEST(TraceStages, EveryBitmapGivesASoundSketchOrAnInputError) {
