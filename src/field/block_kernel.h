@@ -39,6 +39,11 @@ struct KernelPoint {
   float norm;  ///< weight times N0
 };
 
+/// Depths of a tile's points in the flat space of a part with a depth map, and their derivatives.
+struct alignas(64) KernelDepths {
+  float z[kTile], by_x[kTile], by_y[kTile], by_z[kTile];
+};
+
 /// Ranges of primitives that are added.
 struct KernelChain {
   std::uint32_t segments_begin, segments_end, points_begin, points_end;
@@ -50,6 +55,7 @@ struct KernelPart {
   std::uint32_t slot;       ///< where its samples are kept for its children: its depth in the tree
   bool blends_with_parent;  ///< the samples in slot - 1 are its parent's
   float inv_depth_scale;
+  int map;  ///< index of its depths, or -1 when inv_depth_scale is all there is
 };
 
 /// A Ricci exponent: 2^squarings, or any n when squarings is negative.
@@ -66,6 +72,7 @@ struct KernelProgram {
   const KernelPart* parts;
   std::uint32_t part_count;
   KernelExponent chain_exponent, part_exponent;
+  const KernelDepths* depths;  ///< of the parts with depth maps, for the tile at hand
 };
 
 /// kTile values and gradients, aligned to 64 bytes.

@@ -54,6 +54,7 @@ class BallPass {
   }
 
  private:
+  void Enter(const CompiledPart& part);
   void Consider(std::uint32_t id);
   void Flush();
   void Take(std::uint32_t id, const Range& range);
@@ -80,14 +81,32 @@ class BallPass {
   Range chain_range_;
 };
 
+/// The flat space stretches the ball along z, and a depth map shifts it by an amount that differs
+/// from place to place: the ball around what it becomes.
+void BallPass::Enter(const CompiledPart& part) {
+  const Eigen::Vector3d& center = ball_.center;
+  if (!part.map) {
+    center_ = internal::Flatten(part, center);
+    radius_ = ball_.radius * std::max(1.0, part.inv_depth_scale);
+    return;
+  }
+  const Eigen::Vector2d reach = Eigen::Vector2d::Constant(ball_.radius), place = center.head<2>();
+  const DepthRange range =
+      RangeOf(*part.map, {Eigen::Vector2d(place - reach), Eigen::Vector2d(place + reach)});
+  const double middle = (range.middle_low + range.middle_high) / 2;
+  const double steepness = (range.steepness_low + range.steepness_high) / 2;
+  center_ = {center.x(), center.y(), part.z0 + (center.z() - middle) * steepness};
+  radius_ = ball_.radius * std::max(1.0, range.steepness_high) +
+            range.steepness_high * (range.middle_high - middle) +
+            (range.steepness_high - steepness) * std::abs(center.z() - middle);
+}
+
 void BallPass::Consider(std::uint32_t id) {
   const CompiledPrimitive& primitive = data_.primitives[id];
   const std::uint32_t part = data_.chain_part[primitive.chain];
   if (part != entered_) {
     entered_ = part;
-    center_ = internal::Flatten(data_.parts[part], ball_.center);
-    // The flat space stretches the ball along z; the ball around what it becomes.
-    radius_ = ball_.radius * std::max(1.0, data_.parts[part].inv_depth_scale);
+    Enter(data_.parts[part]);
   }
   if (primitive.box.squaredExteriorDistance(center_) > radius_ * radius_) return;
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "block_kernel.h"
+#include "flat_depth.h"
 #include "lascaux/field/compiled_field.h"
 #include "ricci.h"
 
@@ -37,6 +38,8 @@ struct CompiledPart {
   int parent = -1;  ///< index in the compiled order
   std::uint32_t depth = 0;
   double z0 = 0, inv_depth_scale = 1;
+  std::optional<DepthMap> map;
+  double most_steepness = 1;  ///< anywhere
 };
 
 /// Primitives in the order of their parts, chains, segments before points; parts parents first,
@@ -65,7 +68,9 @@ const BlockKernel& KernelFor(Isa isa);
 
 /// A place in the flat space of a part.
 inline Eigen::Vector3d Flatten(const CompiledPart& part, const Eigen::Vector3d& place) {
-  return {place.x(), place.y(), part.z0 + (place.z() - part.z0) * part.inv_depth_scale};
+  const double z = part.map ? FlatDepthOn(*part.map, part.z0, place).z
+                            : part.z0 + (place.z() - part.z0) * part.inv_depth_scale;
+  return {place.x(), place.y(), z};
 }
 
 }  // namespace internal

@@ -81,6 +81,11 @@ CompiledField::CompiledField(const Field& field, Isa isa) {
     CompiledPart compiled;
     compiled.z0 = part.z0;
     compiled.inv_depth_scale = 1 / part.depth_scale;
+    compiled.map = part.depth;
+    compiled.most_steepness = part.depth
+                                  ? static_cast<double>(*std::max_element(
+                                        part.depth->steepness.begin(), part.depth->steepness.end()))
+                                  : compiled.inv_depth_scale;
     if (part.parent) {
       compiled.parent = place[static_cast<std::size_t>(*part.parent)];
       compiled.depth = data->parts[static_cast<std::size_t>(compiled.parent)].depth + 1;
@@ -116,7 +121,7 @@ double CompiledField::ThinnestRadius(const ActiveSet& active) const {
   double thinnest = std::numeric_limits<double>::infinity();
   for (const std::uint32_t id : active.primitives) {
     const CompiledPrimitive& primitive = data_->primitives[id];
-    const double depth_scale = 1 / data_->part_of(primitive).inv_depth_scale;
+    const double depth_scale = 1 / data_->part_of(primitive).most_steepness;
     thinnest = std::min(thinnest, primitive.least_radius * std::min(1.0, depth_scale));
   }
   return thinnest;

@@ -15,6 +15,12 @@ using internal::KernelSamples;
 using internal::KernelSegment;
 using internal::kTile;
 
+/// A part with a depth map that a block needs.
+struct Mapped {
+  const CompiledPart* part;
+  double origin_z;  ///< of the block, in the part's flat space
+};
+
 /// The primitives that a block needs, seen from its origin: differences are taken in double
 /// precision, so that what the vector code loses depends on the block's size and not on its place.
 class Program {
@@ -22,9 +28,10 @@ class Program {
   Program(const CompiledField::Data& data, const Eigen::Vector3d& origin, const ActiveSet& active);
 
   const internal::KernelProgram& kernel_program() const { return program_; }
+  const std::vector<Mapped>& mapped() const { return mapped_; }
 
  private:
-  void BeginPart(const CompiledField::Data& data, std::uint32_t part);
+  void BeginPart(const CompiledField::Data& data, std::uint32_t part, double origin_z);
   void Add(const CompiledPrimitive& primitive, const Eigen::Vector3d& origin);
 
   std::vector<KernelSegment> segments_;
@@ -32,6 +39,7 @@ class Program {
   std::vector<KernelChain> chains_;
   std::vector<KernelPart> parts_;
   std::vector<std::uint32_t> part_at_depth_;
+  std::vector<Mapped> mapped_;
   internal::KernelProgram program_{};
 };
 
@@ -41,13 +49,15 @@ internal::KernelExponent ForKernel(const internal::RicciExponent& exponent) {
   return {exponent.squarings(), static_cast<float>(exponent.n())};
 }
 
-void Program::BeginPart(const CompiledField::Data& data, std::uint32_t part) {
+void Program::BeginPart(const CompiledField::Data& data, std::uint32_t part, double origin_z) {
   const CompiledPart& here = data.parts[part];
   const auto chains = static_cast<std::uint32_t>(chains_.size());
   const bool has_parent =
       here.depth > 0 && part_at_depth_[here.depth - 1] == static_cast<std::uint32_t>(here.parent);
+  const int map = here.map ? static_cast<int>(mapped_.size()) : -1;
+  if (here.map) mapped_.push_back({&here, origin_z});
   parts_.push_back(
-      {chains, chains, here.depth, has_parent, static_cast<float>(here.inv_depth_scale)});
+      {chains, chains, here.depth, has_parent, static_cast<float>(here.inv_depth_scale), map});
   part_at_depth_[here.depth] = part;
 }
 
@@ -86,7 +96,7 @@ Program::Program(const CompiledField::Data& data, const Eigen::Vector3d& origin,
     if (data.chain_part[primitive.chain] != part) {
       part = data.chain_part[primitive.chain];
       flat_origin = internal::Flatten(data.parts[part], origin);
-      BeginPart(data, part);
+      BeginPart(data, part, flat_origin.z());
     }
     if (primitive.chain != chain) {
       chain = primitive.chain;
@@ -103,7 +113,8 @@ Program::Program(const CompiledField::Data& data, const Eigen::Vector3d& origin,
               parts_.data(),
               static_cast<std::uint32_t>(parts_.size()),
               ForKernel(data.chain_exponent),
-              ForKernel(data.part_exponent)};
+              ForKernel(data.part_exponent),
+              nullptr};
 }
 
 /// The points from `begin` on; a last tile is filled up with its last point, so that every point
@@ -120,6 +131,35 @@ int LoadTile(const PointBlock& block, std::size_t begin, internal::KernelPoints&
   return count;
 }
 
+/// The depths of `count` points from `begin` on in the flat space of a part. Blocks run along z
+/// first: the place is often the one before.
+void FillDepths(const Mapped& mapped, const PointBlock& points, std::size_t begin, int count,
+                internal::KernelDepths& depths) {
+  DepthSample here;
+  float x = 0, y = 0;
+  for (int i = 0; i < count; ++i) {
+    const std::size_t k = begin + static_cast<std::size_t>(i);
+    if (i == 0 || points.x[k] != x || points.y[k] != y) {
+      x = points.x[k];
+      y = points.y[k];
+      here = EvaluateDepth(*mapped.part->map,
+                           points.origin.head<2>() +
+                               Eigen::Vector2d(static_cast<double>(x), static_cast<double>(y)));
+    }
+    const double off = points.origin.z() + static_cast<double>(points.z[k]) - here.middle;
+    const double flat = mapped.part->z0 + off * here.steepness;
+    depths.z[i] = static_cast<float>(flat - mapped.origin_z);
+    depths.by_x[i] = static_cast<float>(off * here.steepness_gradient.x() -
+                                        here.steepness * here.middle_gradient.x());
+    depths.by_y[i] = static_cast<float>(off * here.steepness_gradient.y() -
+                                        here.steepness * here.middle_gradient.y());
+    depths.by_z[i] = static_cast<float>(here.steepness);
+  }
+  for (float* column : {depths.z, depths.by_x, depths.by_y, depths.by_z}) {
+    std::fill(column + count, column + kTile, column[count - 1]);
+  }
+}
+
 /// Runs `kernel` over all tiles and hands each result with its place to `store`.
 template <typename Kernel, typename Store>
 void ForTiles(const CompiledField::Data& data, const PointBlock& points, const Program& program,
@@ -132,9 +172,15 @@ void ForTiles(const CompiledField::Data& data, const PointBlock& points, const P
   KernelSamples* slots = on_heap.empty() ? in_place.data() : on_heap.data();
   internal::KernelPoints tile;
   KernelSamples result;
+  std::vector<internal::KernelDepths> depths(program.mapped().size());
+  internal::KernelProgram kernel_program = program.kernel_program();
+  kernel_program.depths = depths.data();
   for (std::size_t begin = 0; begin < points.x.size(); begin += kTile) {
     const int count = LoadTile(points, begin, tile);
-    kernel(program.kernel_program(), tile, slots, &result);
+    for (std::size_t m = 0; m < depths.size(); ++m) {
+      FillDepths(program.mapped()[m], points, begin, count, depths[m]);
+    }
+    kernel(kernel_program, tile, slots, &result);
     store(result, begin, count);
   }
 }

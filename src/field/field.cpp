@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "flat_depth.h"
 #include "psi.h"
 #include "ricci.h"
 
@@ -44,8 +45,8 @@ FieldSample BlendRicci(std::span<const FieldSample> samples, double exponent) {
 
 FieldSample EvaluatePart(const Field& field, int part, const Eigen::Vector3d& point) {
   const FieldPart& here = field.parts[static_cast<std::size_t>(part)];
-  const Eigen::Vector3d flat(point.x(), point.y(),
-                             here.z0 + (point.z() - here.z0) / here.depth_scale);
+  const internal::FlatDepth depth = internal::Flatten(here, point);
+  const Eigen::Vector3d flat(point.x(), point.y(), depth.z);
   FieldSample sample;
   if (here.chains.size() == 1) {
     sample = EvaluateChain(here.chains[0], flat);
@@ -55,7 +56,8 @@ FieldSample EvaluatePart(const Field& field, int part, const Eigen::Vector3d& po
     for (const FieldChain& chain : here.chains) chains.push_back(EvaluateChain(chain, flat));
     sample = BlendRicci(chains, field.chain_exponent);
   }
-  sample.gradient.z() /= here.depth_scale;
+  sample.gradient.head<2>() += sample.gradient.z() * depth.gradient.head<2>();
+  sample.gradient.z() *= depth.gradient.z();
   return sample;
 }
 
@@ -102,9 +104,11 @@ Eigen::AlignedBox3d Bounds(const Field& field) {
       for (const PointPrimitive& primitive : chain.points) flat.extend(Bounds(primitive));
     }
     if (flat.isEmpty()) continue;
-    for (Eigen::Vector3d* corner : {&flat.min(), &flat.max()}) {
-      corner->z() = part.z0 + (corner->z() - part.z0) * part.depth_scale;
-    }
+    const DepthRange range =
+        part.depth ? RangeOf(*part.depth, {flat.min().head<2>(), flat.max().head<2>()})
+                   : DepthRange{part.z0, part.z0, 1 / part.depth_scale, 1 / part.depth_scale};
+    flat.min().z() = range.middle_low + (flat.min().z() - part.z0) / range.steepness_low;
+    flat.max().z() = range.middle_high + (flat.max().z() - part.z0) / range.steepness_low;
     box.extend(flat);
   }
   return box;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -42,6 +43,7 @@ class Validator {
     if (!(std::isfinite(part.depth_scale) && part.depth_scale > 0)) {
       Report("has a depth_scale of " + std::to_string(part.depth_scale) + ", which is not above 0");
     }
+    if (part.depth) CheckDepth(*part.depth);
     const std::string part_place = place_;
     for (std::size_t c = 0; c < part.chains.size(); ++c) {
       const std::string chain_place = part_place + ", chain " + std::to_string(c);
@@ -54,6 +56,24 @@ class Validator {
         place_ = chain_place + ", point " + std::to_string(k);
         CheckPoint(chain.points[k]);
       }
+    }
+  }
+
+  void CheckDepth(const DepthMap& map) {
+    const bool sized = map.columns > 0 && map.rows > 0 && std::isfinite(map.cell) && map.cell > 0 &&
+                       map.origin.allFinite();
+    const std::size_t size =
+        sized ? static_cast<std::size_t>(map.columns) * static_cast<std::size_t>(map.rows) : 0;
+    if (!sized || map.middle.size() != size || map.steepness.size() != size) {
+      return Report("has a depth map without a proper size");
+    }
+    const auto finite = [](float x) { return std::isfinite(x); };
+    const auto positive = [](float x) { return std::isfinite(x) && x > 0; };
+    if (!std::all_of(map.middle.begin(), map.middle.end(), finite)) {
+      Report("has a depth map whose middle is not a number");
+    }
+    if (!std::all_of(map.steepness.begin(), map.steepness.end(), positive)) {
+      Report("has a depth map whose steepness is not above 0");
     }
   }
 

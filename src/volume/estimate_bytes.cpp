@@ -35,6 +35,12 @@ double AreaOf(const FieldChain& chain, double margin) {
   return area;
 }
 
+double MostDepthScale(const FieldPart& part) {
+  if (!part.depth) return part.depth_scale;
+  return 1 / static_cast<double>(
+                 *std::min_element(part.depth->steepness.begin(), part.depth->steepness.end()));
+}
+
 }  // namespace
 
 std::size_t EstimateBytes(const Field& field, const RasteriseOptions& options) {
@@ -42,7 +48,7 @@ std::size_t EstimateBytes(const Field& field, const RasteriseOptions& options) {
   double area = 0;
   for (const FieldPart& part : field.parts) {
     for (const FieldChain& chain : part.chains) {
-      area += std::max(1.0, part.depth_scale) * AreaOf(chain, kBandRadius * h);
+      area += std::max(1.0, MostDepthScale(part)) * AreaOf(chain, kBandRadius * h);
     }
   }
   const double bytes = kFixedBytes + kBytesPerBlock * kBlocksPerFace * area / (h * h);

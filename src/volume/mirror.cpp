@@ -32,8 +32,16 @@ bool AreMirrored(const FieldChain& p, const FieldChain& q) {
   return AllMirrored(p.segments, q.segments) && AllMirrored(p.points, q.points);
 }
 
+bool AreMirrored(const std::optional<DepthMap>& p, const std::optional<DepthMap>& q) {
+  if (!p || !q) return !p && !q;
+  return p->origin == q->origin && p->cell == q->cell && p->columns == q->columns &&
+         p->rows == q->rows && p->steepness == q->steepness &&
+         std::equal(p->middle.begin(), p->middle.end(), q->middle.begin(), q->middle.end(),
+                    [](float a, float b) { return a == -b; });
+}
+
 bool AreMirrored(const FieldPart& p, const FieldPart& q) {
-  return p.z0 == -q.z0 && p.depth_scale == q.depth_scale &&
+  return p.z0 == -q.z0 && p.depth_scale == q.depth_scale && AreMirrored(p.depth, q.depth) &&
          std::equal(p.chains.begin(), p.chains.end(), q.chains.begin(), q.chains.end(),
                     [](const FieldChain& a, const FieldChain& b) { return AreMirrored(a, b); });
 }

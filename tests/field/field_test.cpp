@@ -181,6 +181,19 @@ TEST(Validate, ReportsABadPrimitiveForEachThingThatNoFieldIsMadeOf) {
       [&](Field& f) { point(f).center.y() = kNaN; },
       [&](Field& f) { f.parts[1].z0 = kNaN; },
       [&](Field& f) { f.parts[1].depth_scale = 0; },
+      [&](Field& f) { f.parts[1].depth.emplace(); },
+      [&](Field& f) {
+        f.parts[1].depth = DepthMap{{0, 0}, 1, 1, 2, {0, 0}, {1}};
+      },
+      [&](Field& f) {
+        f.parts[1].depth = DepthMap{{0, 0}, 0, 1, 1, {0}, {1}};
+      },
+      [&](Field& f) {
+        f.parts[1].depth = DepthMap{{0, 0}, 1, 1, 1, {NAN}, {1}};
+      },
+      [&](Field& f) {
+        f.parts[1].depth = DepthMap{{0, 0}, 1, 1, 1, {0}, {0}};
+      },
       [&](Field& f) { f.parts[1].parent = 1; },
       [&](Field& f) { f.parts[1].parent = -1; },
   };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lascaux/base/diagnostic.h"
+#include "lascaux/field/depth_map.h"
 #include "lascaux/field/planar_gain.h"
 #include "lascaux/field/primitives.h"
 
@@ -27,12 +28,14 @@ struct FieldChain {
   bool operator==(const FieldChain&) const = default;
 };
 
-/// A part: its chains' Ricci blend, evaluated at (x, y, z0 + (z - z0) / depth_scale).
+/// A part: its chains' Ricci blend, evaluated at (x, y, z0 + (z - z0) / depth_scale), or, with a
+/// depth map, at (x, y, z0 + (z - middle(x, y)) steepness(x, y)).
 struct FieldPart {
   std::vector<FieldChain> chains;
   std::optional<int> parent;  ///< index of the part that it blends with; smaller than its own
   double z0 = 0;
   double depth_scale = 1;
+  std::optional<DepthMap> depth = std::nullopt;
 
   bool operator==(const FieldPart&) const = default;
 };
@@ -55,8 +58,9 @@ struct Field {
 ///
 /// Each names its part, chain and primitive. Refused are: coordinates, radii, weights or depths
 /// that are not finite; a negative radius; a segment whose radii are both 0; a point whose radius
-/// is 0 or whose weight is negative; a depth scale that is not above 0; exponents outside of [1,
-/// 64]; a parent that is not an earlier part. Segments of length 0 are fine.
+/// is 0 or whose weight is negative; a depth scale that is not above 0; a depth map that is empty,
+/// not finite or has a steepness that is not above 0; exponents outside of [1, 64]; a parent that
+/// is not an earlier part. Segments of length 0 are fine.
 Diagnostics Validate(const Field& field);
 
 /// Box outside of which the field is 0; empty for a field without primitives.
