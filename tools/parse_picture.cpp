@@ -56,6 +56,7 @@ std::string ParsePictureText(const Model& model) {
   text += BodyLayer(model, style);
   text += LabelsLayer(model, style);
   text += StrokeNumbersLayer(model, style);
+  text += FidelityLayer(model, style);
   text += DiagnosticsLayer(model, style);
   return text + legend.text + "</svg>\n";
 }

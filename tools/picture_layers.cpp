@@ -234,6 +234,23 @@ std::string StrokeNumbersLayer(const Model& model, const PictureStyle& style) {
                text);
 }
 
+std::string FidelityLayer(const Model& model, const PictureStyle& style) {
+  if (!model.fidelity || !model.frame) return {};
+  const SvgNumbers& n = style.numbers;
+  const Eigen::Vector2d at = model.frame->ToSketch(model.fidelity->worst_at);
+  const Eigen::Vector2d label = at + style.unit * Eigen::Vector2d(1.4, 0.5);
+  std::string text = Circle(style, at, 1.1 * style.unit);
+  text += fmt::format(
+      "<text x=\"{}\" y=\"{}\" font-size=\"{}\" fill=\"{}\" stroke=\"none\">worst {:.2f} "
+      "%</text>\n",
+      n(label.x()), n(label.y()), n(1.3 * style.unit), kRemark, model.fidelity->worst_percent);
+  return Group(
+      "fidelity",
+      fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-dasharray=\"{}\"",
+                  kRemark, n(0.2 * style.unit), n(0.5 * style.unit)),
+      text);
+}
+
 std::string DiagnosticsLayer(const Model& model, const PictureStyle& style) {
   std::string text;
   for (std::size_t i = 0; i < model.diagnostics.size(); ++i)

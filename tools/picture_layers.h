@@ -21,6 +21,8 @@ std::string BodyLayer(const Model& model, const PictureStyle& style);
 std::string LabelsLayer(const Model& model, const PictureStyle& style);
 /// The number of each stroke at its middle, as --overrides takes it.
 std::string StrokeNumbersLayer(const Model& model, const PictureStyle& style);
+/// Where the model's outline is furthest from the drawn one; empty before it was measured.
+std::string FidelityLayer(const Model& model, const PictureStyle& style);
 std::string DiagnosticsLayer(const Model& model, const PictureStyle& style);
 
 /// A table of parts and diagnostics beside the drawing, its left edge at `left`. `height` of the

@@ -52,6 +52,17 @@ Json OutlinesJson(const Model& model, int entry) {
   return json;
 }
 
+/// Null where nothing of the part shows in the animal's outline.
+Json PartFidelityJson(const Model& model, int part) {
+  const auto index = static_cast<std::size_t>(part);
+  if (!model.fidelity || index >= model.fidelity->rings.size()) return nullptr;
+  const std::optional<RingFidelity>& found = model.fidelity->rings[index];
+  if (!found) return nullptr;
+  return {{"contour_mean_percent", found->mean_percent},
+          {"contour_p95_percent", found->p95_percent},
+          {"worst_percent", found->worst_percent}};
+}
+
 Json PartJson(const Model& model, int part) {
   const DepthNode& node = model.graph->nodes[static_cast<std::size_t>(part)];
   const std::optional<LimbRoot>& root = model.parts->parts[static_cast<std::size_t>(part)].root;
@@ -65,7 +76,8 @@ Json PartJson(const Model& model, int part) {
           {"z", DepthJson(model, part)},
           {"outlines", OutlinesJson(model, part)},
           {"evidence", root ? Json(Name(root->evidence)) : Json()},
-          {"energy", root ? Json(root->energy) : Json()}};
+          {"energy", root ? Json(root->energy) : Json()},
+          {"fidelity", PartFidelityJson(model, part)}};
 }
 
 /// Parts that are ignored are no part of the model; the parse picture shows them.
@@ -97,7 +109,8 @@ Json FidelityJson(const std::optional<Fidelity>& fidelity) {
   if (!fidelity) return nullptr;
   return {{"iou", fidelity->iou},
           {"contour_mean_percent", fidelity->contour_mean_percent},
-          {"contour_p95_percent", fidelity->contour_p95_percent}};
+          {"contour_p95_percent", fidelity->contour_p95_percent},
+          {"worst_percent", fidelity->worst_percent}};
 }
 
 Json TimingsJson(const Timings& timings) {
@@ -133,6 +146,9 @@ std::string ReportText(const Model& model, ReportTimings timings) {
   json["mesh"] = MeshJson(model);
   json["fidelity"] = FidelityJson(model.fidelity);
   if (timings == ReportTimings::kWith) json["timings_ms"] = TimingsJson(model.timings);
+  if (model.fidelity && model.frame) {
+    json["fidelity"]["worst_at"] = PointJson(model.frame->ToSketch(model.fidelity->worst_at));
+  }
   return JsonText(json);
 }
 

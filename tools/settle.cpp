@@ -22,9 +22,9 @@ void StandOnGround(Model& model) {
 std::vector<std::vector<Eigen::Vector2d>> BuiltOutlines(const Model& model) {
   std::vector<std::vector<Eigen::Vector2d>> rings;
   for (std::size_t i = 0; i < model.parts->parts.size(); ++i) {
+    std::vector<Eigen::Vector2d>& ring = rings.emplace_back();
     const PartRole role = model.graph->nodes[i].role;
     if (role == PartRole::kBackground || role == PartRole::kIgnored) continue;
-    std::vector<Eigen::Vector2d>& ring = rings.emplace_back();
     for (const Eigen::Vector2d& point : model.parts->parts[i].outline.points)
       ring.push_back(model.frame->ToModel(point));
   }

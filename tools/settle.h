@@ -18,7 +18,8 @@ namespace lascaux {
 /// Precondition: mesh, grid and frame are there. The lowest vertex is exactly 0 afterwards.
 void StandOnGround(Model& model);
 
-/// Outlines of the parts that are built (neither background nor ignored), in the model's x and y.
+/// Outlines of the parts that are built (neither background nor ignored), in the model's x and y;
+/// rings without points for the others.
 ///
 /// Precondition: parts, graph and frame are there.
 std::vector<std::vector<Eigen::Vector2d>> BuiltOutlines(const Model& model);

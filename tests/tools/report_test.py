@@ -57,8 +57,16 @@ class ReportTest(ProgramTest):
         self.assertTrue(0 <= report["body"]["score_margin"] <= 1)
         for part in report["parts"]:
             self.assertEqual(list(part), ["id", "name", "role", "parent", "relation", "pair", "z",
-                                          "outlines", "evidence", "energy"])
+                                          "outlines", "evidence", "energy",
+                                          "fidelity"])
             self.assertIn(part["role"], ("body", "foreground", "background", "sagittal", "island"))
+        figures = ["contour_mean_percent", "contour_p95_percent", "worst_percent"]
+        self.assertEqual(list(report["fidelity"]), ["iou", *figures, "worst_at"])
+        shown = [part["fidelity"] for part in report["parts"] if part["fidelity"]]
+        self.assertGreater(len(shown), 3)
+        for fidelity in shown:
+            self.assertEqual(list(fidelity), figures)
+            self.assertLessEqual(fidelity["worst_percent"], report["fidelity"]["worst_percent"])
         for stage in ("read", "structure", "skeleton", "field", "volume", "mesh", "write", "total"):
             self.assertGreater(report["timings_ms"][stage], 0)
         self.assertNotIn("NaN", json.dumps(report))

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "grid.h"
 #include "sample_model.h"
 
@@ -24,8 +26,11 @@ TEST(StandOnGround, MovesMeshGridAndFrameAlike) {
 }
 
 TEST(BuiltOutlines, LeaveOutFarAndIgnoredParts) {
-  const auto rings = BuiltOutlines(SampleModel());
-  ASSERT_EQ(rings.size(), 3u);  // body, near limb, eye
+  const Model model = SampleModel();
+  const auto rings = BuiltOutlines(model);
+  ASSERT_EQ(rings.size(), model.parts->parts.size());
+  const auto is_there = [](const std::vector<Eigen::Vector2d>& ring) { return !ring.empty(); };
+  EXPECT_EQ(std::count_if(rings.begin(), rings.end(), is_there), 3);  // body, near limb, eye
   EXPECT_EQ(rings[0][0], Eigen::Vector2d(-20, 30));
 }
 

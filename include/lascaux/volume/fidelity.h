@@ -12,6 +12,14 @@
 
 namespace lascaux {
 
+/// How far the model's outline is from what shows of one ring in the outline of the drawn region.
+struct RingFidelity {
+  double mean_percent = 0, p95_percent = 0, worst_percent = 0;
+  double length = 0;  ///< of what shows, in the mesh's unit
+
+  bool operator==(const RingFidelity&) const = default;
+};
+
 /// Distances are in percent of the diagonal of the drawn region's box.
 struct Fidelity {
   double iou = 0;  ///< of the mesh's side view and the drawn region
@@ -21,6 +29,7 @@ struct Fidelity {
   Eigen::Vector2d worst_at =
       Eigen::Vector2d::Zero();  ///< where the largest distance is, in x and y
   double worst_percent = 0;
+  std::vector<std::optional<RingFidelity>> rings;  ///< as many as there were; none where none shows
 
   bool operator==(const Fidelity&) const = default;
 };

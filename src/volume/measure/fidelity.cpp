@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -48,7 +49,7 @@ void AddPieces(const Outline& outline, const SpanImage& image, std::vector<Outli
       Vector2d middle;
       middle[along] = at;
       middle[across] = image.lines.At(i);
-      pieces.push_back({middle, tangent, 0.5 * image.lines.step / steep});
+      pieces.push_back({middle, tangent, 0.5 * image.lines.step / steep, edge.group});
     };
     for (const Span& s : image.spans[i]) {
       add(s.low, outline.edges[s.low_edge]);
@@ -66,12 +67,19 @@ std::vector<OutlinePiece> PiecesOf(const Outline& outline, const Cuts& cuts) {
 
 /// Distances from one outline to the other.
 struct Deviation {
-  double mean = 0, p95 = 0, worst = 0;
+  double mean = 0, p95 = 0, worst = 0, length = 0;
   Vector2d worst_at = Vector2d::Zero();
 };
 
-Deviation Measure(const std::vector<OutlinePiece>& from, const std::vector<OutlinePiece>& to) {
-  const NearestPiece nearest(to);
+std::vector<OutlinePiece> OfGroup(const std::vector<OutlinePiece>& pieces, std::size_t group) {
+  std::vector<OutlinePiece> chosen;
+  std::copy_if(pieces.begin(), pieces.end(), std::back_inserter(chosen),
+               [group](const OutlinePiece& p) { return p.group == group; });
+  return chosen;
+}
+
+/// `from` is not empty.
+Deviation Measure(const std::vector<OutlinePiece>& from, const NearestPiece& nearest) {
   std::vector<std::pair<double, double>> found(from.size());  // distance, length
   tbb::parallel_for(std::size_t{0}, from.size(), [&](std::size_t i) {
     found[i] = {nearest.Distance(from[i].middle), 2 * from[i].half_length};
@@ -88,6 +96,7 @@ Deviation Measure(const std::vector<OutlinePiece>& from, const std::vector<Outli
     }
   }
   deviation.mean /= total;
+  deviation.length = total;
   std::sort(found.begin(), found.end());
   double below = 0;
   for (const auto& [distance, length] : found) {
@@ -103,7 +112,7 @@ bool IsFinite(const Outline& outline) {
                      [](const OutlineEdge& e) { return e.a.allFinite() && e.b.allFinite(); });
 }
 
-std::optional<Fidelity> Compare(const Outline& model, const Outline& drawn,
+std::optional<Fidelity> Compare(const Outline& model, const Outline& drawn, std::size_t rings,
                                 const Execution& execution) {
   if (!IsFinite(model) || !IsFinite(drawn)) return std::nullopt;
   const Eigen::AlignedBox2d box = model.Box().merged(drawn.Box());
@@ -120,8 +129,9 @@ std::optional<Fidelity> Compare(const Outline& model, const Outline& drawn,
 
   const Overlap overlap = Compare(cuts[0].rows, cuts[1].rows);
   const double percent = 100 / drawn.Box().diagonal().norm();
-  const std::array<Deviation, 2> both = {Measure(pieces[0], pieces[1]),
-                                         Measure(pieces[1], pieces[0])};
+  const std::array<NearestPiece, 2> nearest = {NearestPiece(pieces[0]), NearestPiece(pieces[1])};
+  const std::array<Deviation, 2> both = {Measure(pieces[0], nearest[1]),
+                                         Measure(pieces[1], nearest[0])};
   const Deviation& worst = both[0].worst >= both[1].worst ? both[0] : both[1];
   Fidelity fidelity;
   fidelity.iou = overlap.either > 0 ? overlap.both / overlap.either : 0;
@@ -129,6 +139,14 @@ std::optional<Fidelity> Compare(const Outline& model, const Outline& drawn,
   fidelity.contour_p95_percent = percent * std::max(both[0].p95, both[1].p95);
   fidelity.worst_percent = percent * worst.worst;
   fidelity.worst_at = worst.worst_at;
+  for (std::size_t ring = 0; ring < rings; ++ring) {
+    const std::vector<OutlinePiece> shown = OfGroup(pieces[1], ring);
+    fidelity.rings.emplace_back();
+    if (shown.empty()) continue;
+    const Deviation own = Measure(shown, nearest[0]);
+    fidelity.rings.back() = {percent * own.mean, percent * own.p95, percent * own.worst,
+                             own.length};
+  }
   return fidelity;
 }
 
@@ -144,7 +162,9 @@ std::optional<Fidelity> MeasureFidelity(const Mesh& mesh,
     if (*std::max_element(t.begin(), t.end()) >= mesh.vertices.size()) return std::nullopt;
   }
   std::optional<Fidelity> fidelity;
-  RunInArena(execution, [&] { fidelity = Compare(OutlineOf(mesh), OutlineOf(rings), execution); });
+  RunInArena(execution, [&] {
+    fidelity = Compare(OutlineOf(mesh), OutlineOf(rings), rings.size(), execution);
+  });
   return fidelity;
 }
 

@@ -11,6 +11,7 @@ struct OutlinePiece {
   Eigen::Vector2d middle;
   Eigen::Vector2d tangent;  ///< unit vector
   double half_length = 0;
+  std::uint32_t group = 0;  ///< of the edge that it is cut from
 
   double DistanceTo(const Eigen::Vector2d& p) const;
 };
