@@ -87,11 +87,12 @@ void AddShared(CLI::App& app, CommandLine& line) {
 }
 
 void AddBuild(CLI::App& app, CommandLine& line) {
-  constexpr double kLargestResolution = 8192;  // a model of 8192 voxels takes some 20 GB
-  constexpr double kLargestSize = 1e6;         // mm: a kilometre
-  constexpr double kSmallestSize = 1e-3;       // mm
-  constexpr double kSmallestVoxel = 1e-6;      // mm
-  constexpr double kLargestBlend = 64;         // the field's own limit on exponents
+  constexpr double kLargestResolution = 8192;      // a model of 8192 voxels takes some 20 GB
+  constexpr double kLargestSize = 1e6;             // mm: a kilometre
+  constexpr double kSmallestSize = 1e-3;           // mm
+  constexpr double kSmallestVoxel = 1e-6;          // mm
+  constexpr double kLargestBlend = 64;             // the field's own limit on exponents
+  constexpr double kNarrowest = 0.2, kWidest = 5;  // of torsos
   CommandOptions& options = line.options;
   PipelineOptions& pipeline = options.pipeline;
   app.add_option("-o,--output", options.outputs,
@@ -117,6 +118,11 @@ void AddBuild(CLI::App& app, CommandLine& line) {
   app.add_option("--blend", pipeline.blend,
                  "How sharply parts meet: 1 is the softest, above 8 nearly a crease")
       ->check(Between(1, kLargestBlend))
+      ->capture_default_str()
+      ->type_name("N");
+  app.add_option("--torso-depth", pipeline.placement.torso_depth,
+                 "How deep the torso is for its height; below 1 makes it narrower")
+      ->check(Between(kNarrowest, kWidest))
       ->capture_default_str()
       ->type_name("N");
   app.add_option("--fit", pipeline.outline_fit,

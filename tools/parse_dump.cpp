@@ -138,6 +138,10 @@ Json CreaturePartJson(const CreaturePart& part) {
           {"z", part.z},
           {"mirrored", part.mirrored},
           {"depth_scale", part.depth_scale},
+          {"stations", ListJson(part.stations,
+                                [](const DepthStation& s) {
+                                  return Json{s.position.x(), s.position.y(), s.z, s.scale};
+                                })},
           {"chains", ListJson(part.chains, [](const Chain& chain) {
              return ListJson(chain.vertices, DiscJson);
            })}};

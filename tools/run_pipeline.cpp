@@ -83,17 +83,28 @@ class Run {
   bool ExtractSkeleton() {
     const Stopwatch watch(model_.timings, "skeleton");
     execution_.Report("finding the skeleton", 0);
-    return Keep(ExtractSkeletons(*model_.parts, *model_.graph, options_.skeletons, execution_),
-                model_.skeletons) &&
-           Keep(PlaceInDepth(*model_.parts, *model_.graph, *model_.skeletons, options_.placement),
-                model_.creature);
+    if (!Keep(ExtractSkeletons(*model_.parts, *model_.graph, options_.skeletons, execution_),
+              model_.skeletons))
+      return false;
+    model_.creature = AssembleCreature(*model_.graph, *model_.skeletons);
+    return true;
   }
 
   bool Fit() {
-    if (options_.outline_fit == OutlineFit::kNone) return true;
-    const Stopwatch watch(model_.timings, "fit");
-    execution_.Report("fitting it to the drawing", 0);
-    return Keep(FitToDrawing(*model_.parts, *model_.creature, options_.fit, execution_),
+    if (options_.outline_fit != OutlineFit::kNone) {
+      const Stopwatch watch(model_.timings, "fit");
+      execution_.Report("fitting it to the drawing", 0);
+      if (!Keep(FitToDrawing(*model_.parts, *model_.creature, options_.fit, execution_),
+                model_.creature))
+        return false;
+    }
+    return Place();
+  }
+
+  bool Place() {
+    const Stopwatch watch(model_.timings, "depth");
+    execution_.Report("placing it in depth", 0);
+    return Keep(PlaceInDepth(*model_.parts, *model_.graph, *model_.creature, options_.placement),
                 model_.creature);
   }
 

@@ -4,7 +4,7 @@
 
 #include "lascaux/skeleton/creature.h"
 #include "skeleton/built_parts.h"
-#include "skeleton/chains.h"
+#include "skeleton/field_part.h"
 #include "skeleton/index.h"
 
 namespace lascaux {
@@ -15,16 +15,6 @@ using Eigen::Vector2d;
 /// Between the chains of one part: each reproduces its own discs, and 4 converges fastest in the
 /// fit.
 constexpr double kChainExponent = 4;
-
-FieldPart MakeFieldPart(const CreaturePart& part, const ModelFrame& frame, double side) {
-  FieldPart field;
-  field.z0 = side * frame.scale * part.z;
-  field.depth_scale = part.depth_scale;
-  for (const Chain& chain : part.chains) {
-    field.chains.push_back(MakeFieldChain(chain, frame, field.z0));
-  }
-  return field;
-}
 
 }  // namespace
 
@@ -50,7 +40,7 @@ Field MakeField(const Creature& creature, const ModelFrame& frame, double blend_
       images;  // of each part: the drawn side's index and the mirrored one's
   for (const CreaturePart& part : creature.parts) {
     const auto add = [&](double side) {
-      FieldPart image = MakeFieldPart(part, frame, side);
+      FieldPart image = side > 0 ? MakeFieldPart(part, frame) : MirrorImage(field.parts.back());
       if (part.parent)
         image.parent =
             side > 0 ? images[Index(*part.parent)].first : images[Index(*part.parent)].second;

@@ -13,6 +13,7 @@
 
 #include "lascaux/field/compiled_field.h"
 #include "skeleton/index.h"
+#include "skeleton/smoothstep.h"
 #include "skeleton/union_outline.h"
 
 namespace lascaux {
@@ -28,9 +29,9 @@ constexpr double kSpacing = 2.5e-3, kCell = 2e-3;
 constexpr double kFade = 0.6, kLeastFade = 4, kMostFade = 0.05;
 /// Integral of the kernel (1 - q^2)^3 over a line through its middle, q from -1 to 1.
 constexpr double kKernelIntegral = 32.0 / 35;
-/// The maximum over z: so many steps from the plane to the deepest part, then twice as many around
-/// the best, each time finer.
-constexpr int kDepthSteps = 12, kRefinements = 2;
+/// The maximum over z: so many steps from the plane to the deepest part and the middles of so many
+/// parts, then as many places between the neighbours of the best, each time finer.
+constexpr int kDepthSteps = 8, kMiddles = 4, kRefinements = 2;
 /// Richardson steps towards sources whose sum is the wanted gain. High frequencies come last, and
 /// stay out: they would be stripes.
 constexpr int kSteps = 12;
@@ -63,43 +64,95 @@ double LocalRadius(const Field& field, const Vector2d& place) {
   return radius;
 }
 
-double Deepest(const Field& field) {
-  double deepest = 0;
-  for (const FieldPart& part : field.parts) {
-    for (const FieldChain& chain : part.chains) {
-      for (const Segment& s : chain.segments) deepest = std::max({deepest, s.a.z(), s.b.z()});
-    }
-  }
-  return deepest;
-}
-
 /// Lines along z that are looked at together: as many as fill a tile of the vector code.
 constexpr std::size_t kLines = 4;
-constexpr std::size_t kLinePoints = kDepthSteps + 1;
+constexpr std::size_t kLinePoints = kDepthSteps + kMiddles + 1;
+using LinePoints = std::array<double, kLinePoints>;
 
-/// The greatest F on the lines along z through up to kLines places near each other; the field is
-/// symmetric, so z >= 0 is enough.
+/// Where the greatest F on a line along z may be; the field is symmetric, so z >= 0 is enough.
+class Depths {
+ public:
+  explicit Depths(const Field& field) : field_(field) {
+    for (std::size_t i = 0; i < field.parts.size(); ++i) {
+      Field alone;
+      alone.parts.push_back(field.parts[i]);
+      alone.parts[0].parent.reset();
+      boxes_.push_back(Bounds(alone));
+      if (boxes_.back().isEmpty()) continue;
+      const Eigen::AlignedBox3d& box = boxes_.back();
+      const auto& depth = field.parts[i].depth;
+      const double z = depth
+                           ? RangeOf(*depth, {box.min().head<2>(), box.max().head<2>()}).middle_high
+                           : field.parts[i].z0;
+      deepest_ = std::max(deepest_, z);
+    }
+  }
+
+  /// Even steps, and the middles of the parts that are there, on which each by itself is greatest:
+  /// thin ones would fall between the steps.
+  LinePoints At(const Vector2d& place) const {
+    LinePoints depths;
+    depths.fill(0);
+    for (int k = 0; k <= kDepthSteps; ++k) {
+      depths[Index(k)] = deepest_ * k / kDepthSteps;
+    }
+    std::size_t next = kDepthSteps + 1;
+    for (std::size_t i = field_.parts.size(); i-- > 0 && next < kLinePoints;) {
+      const FieldPart& part = field_.parts[i];
+      const Eigen::AlignedBox3d& box = boxes_[i];
+      if (part.z0 < 0 || !(place.x() > box.min().x() && place.x() < box.max().x() &&
+                           place.y() > box.min().y() && place.y() < box.max().y()))
+        continue;
+      depths[next++] =
+          part.depth ? std::max(EvaluateDepth(*part.depth, place).middle, 0.0) : part.z0;
+    }
+    std::sort(depths.begin(), depths.end());
+    return depths;
+  }
+
+  double deepest() const { return deepest_; }
+
+ private:
+  const Field& field_;
+  std::vector<Eigen::AlignedBox3d> boxes_;
+  double deepest_ = 0;
+};
+
+/// Even points between the neighbours of the best.
+LinePoints Finer(const LinePoints& depths, std::size_t best) {
+  const double low = depths[best > 0 ? best - 1 : 0];
+  const double high = depths[std::min(best + 1, kLinePoints - 1)];
+  LinePoints finer;
+  for (std::size_t k = 0; k < kLinePoints; ++k) {
+    finer[k] = low + (high - low) * static_cast<double>(k) / (kLinePoints - 1);
+  }
+  return finer;
+}
+
+/// The greatest F on the lines along z through up to kLines places near each other.
 std::array<double, kLines> GreatestAlongZ(const CompiledField& field,
-                                          std::span<const Sample> samples, double deepest) {
+                                          std::span<const Sample> samples, const Depths& depths) {
   const Vector2d middle = samples[samples.size() / 2].place;
   double spread = 0;
   for (const Sample& s : samples) spread = std::max(spread, (s.place - middle).norm());
-  const Eigen::Vector3d origin(middle.x(), middle.y(), 0.5 * deepest);
-  const BallBounds found =
-      field.BoundOnBall({origin, std::hypot(spread, 0.5 * deepest)}, field.All());
+  const double half = depths.deepest() / 2;
+  const Eigen::Vector3d origin(middle.x(), middle.y(), half);
+  const BallBounds found = field.BoundOnBall({origin, std::hypot(spread, half)}, field.All());
 
   std::array<float, kLines * kLinePoints> x, y, z, value;
-  std::array<double, kLines> low{}, high, best{};
-  high.fill(deepest);
+  std::array<LinePoints, kLines> lines;
+  std::array<double, kLines> best{};
+  for (std::size_t line = 0; line < samples.size(); ++line) {
+    lines[line] = depths.At(samples[line].place);
+  }
   const std::size_t count = samples.size() * kLinePoints;
   for (int round = 0; round <= kRefinements; ++round) {
     for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t line = i / kLinePoints, k = i % kLinePoints;
+      const std::size_t line = i / kLinePoints;
       const Vector2d offset = samples[line].place - middle;
       x[i] = static_cast<float>(offset.x());
       y[i] = static_cast<float>(offset.y());
-      const double share = static_cast<double>(k) / kDepthSteps;
-      z[i] = static_cast<float>(low[line] + share * (high[line] - low[line]) - origin.z());
+      z[i] = static_cast<float>(lines[line][i % kLinePoints] - half);
     }
     const auto first = [count](std::array<float, kLines * kLinePoints>& all) {
       return std::span(all).first(count);
@@ -109,18 +162,10 @@ std::array<double, kLines> GreatestAlongZ(const CompiledField& field,
       const auto begin = value.begin() + static_cast<std::ptrdiff_t>(line * kLinePoints);
       const auto top = std::max_element(begin, begin + static_cast<std::ptrdiff_t>(kLinePoints));
       best[line] = std::max(best[line], static_cast<double>(*top));
-      const double step = (high[line] - low[line]) / kDepthSteps;
-      const double at = low[line] + static_cast<double>(top - begin) * step;
-      low[line] = std::max(0.0, at - step);
-      high[line] = std::min(deepest, at + step);
+      lines[line] = Finer(lines[line], static_cast<std::size_t>(top - begin));
     }
   }
   return best;
-}
-
-double Smoothstep(double x) {
-  const double t = std::clamp(x, 0.0, 1.0);
-  return t * t * (3 - 2 * t);
 }
 
 /// The drawn outline as samples, their fades smoothed along it, and a share from 0 to 1 by which
@@ -240,14 +285,14 @@ Field NormaliseOutline(Field field, const DrawnOutline& drawn, const Execution& 
   if (samples.all.empty()) return field;
 
   const CompiledField compiled(field);
-  const double deepest = std::max(Deepest(field), kCell * diagonal);
+  const Depths depths(field);
   tbb::task_arena arena(execution.threads > 0 ? execution.threads : tbb::task_arena::automatic);
   arena.execute([&] {
     const std::size_t groups = (samples.all.size() + kLines - 1) / kLines;
     tbb::parallel_for(std::size_t{0}, groups, [&](std::size_t g) {
       const std::size_t first = g * kLines, count = std::min(kLines, samples.all.size() - first);
       const std::span<Sample> group = std::span(samples.all).subspan(first, count);
-      const std::array<double, kLines> greatest = GreatestAlongZ(compiled, group, deepest);
+      const std::array<double, kLines> greatest = GreatestAlongZ(compiled, group, depths);
       for (std::size_t i = 0; i < count; ++i) {
         if (greatest[i] <= 0) continue;
         const double log_gain = std::clamp(-std::log(greatest[i]), -kMostLogGain, kMostLogGain);

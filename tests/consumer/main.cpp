@@ -28,7 +28,8 @@ int main(int argc, char** argv) {
   if (!graph) return 4;
   const auto skeletons = ExtractSkeletons(*parts, *graph).MoveInto(log);
   if (!skeletons) return 4;
-  const auto creature = PlaceInDepth(*parts, *graph, *skeletons).MoveInto(log);
+  const auto creature =
+      PlaceInDepth(*parts, *graph, AssembleCreature(*graph, *skeletons)).MoveInto(log);
   if (!creature) return 4;
   const Field field = MakeField(*creature, FrameOf(*parts, *graph, 100));
   const auto grid = Rasterise(field, {.voxel_size = 1}).MoveInto(log);

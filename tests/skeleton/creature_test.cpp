@@ -20,7 +20,8 @@ using Eigen::Vector3d;
 Creature Placed(const testing::Drawing& drawing, const PlaceInDepthOptions& options = {}) {
   const auto skeletons = ExtractSkeletons(drawing.parts, drawing.graph);
   EXPECT_TRUE(skeletons.ok());
-  auto creature = PlaceInDepth(drawing.parts, drawing.graph, *skeletons, options);
+  auto creature = PlaceInDepth(drawing.parts, drawing.graph,
+                               AssembleCreature(drawing.graph, *skeletons), options);
   EXPECT_TRUE(creature.ok());
   return *creature;
 }
@@ -105,6 +106,59 @@ TEST(PlaceInDepth, LimbsStandApartAndReachIntoTheBody) {
   }
 }
 
+TEST(PlaceInDepth, LegsStandStraightAndFlushWithTheFlank) {
+  const testing::Drawing drawing = testing::MakeBeast();
+  const Creature beast = Placed(drawing);
+  const Field body = MakeField(Creature{{PartOf(beast, testing::kBody)}}, {});
+  double flank = 0;
+  while (Evaluate(body, {-2, 0, flank}).value > 1) flank += 1e-3;
+  const CreaturePart& leg = PartOf(beast, testing::kFrontLeg);
+  for (const DepthStation& station : leg.stations) {
+    if (station.position.y() < 2) continue;  // where it comes out of the body
+    EXPECT_NEAR(station.z, leg.z, 1e-9);
+    EXPECT_NEAR(station.z + station.scale * 0.45, flank, 0.05 * flank);
+  }
+}
+
+TEST(PlaceInDepth, LimbsThatRiseLeanOutAndThoseThatLieOnTheBodyFollowIt) {
+  testing::Drawing drawing = testing::OnlyBody(testing::Ellipse({0, 0}, 4, 2));
+  const int horn = drawing.Add(testing::Capsule({2, -1}, {2.5, -4}, 0.3), PartRole::kForeground, 0);
+  const int wing = drawing.Add(testing::Capsule({-2, 0}, {1, 0.2}, 0.5), PartRole::kForeground, 0);
+  const Creature beast = Placed(drawing);
+  const Field body = MakeField(Creature{{PartOf(beast, 0)}}, {});
+  for (const DepthStation& station : PartOf(beast, wing).stations) {
+    const Vector3d middle(station.position.x(), -station.position.y(), station.z);
+    EXPECT_GT(Evaluate(body, middle).value, 1);
+    EXPECT_LT(Evaluate(body, middle + Vector3d(0, 0, 0.5 * station.scale)).value, 1);
+  }
+  double low = 1e9, high = 0;
+  for (const DepthStation& station : PartOf(beast, horn).stations) {
+    low = std::min(low, station.z), high = std::max(high, station.z);
+  }
+  EXPECT_GT(high - low, 0.3);
+  EXPECT_LT(high - low, 0.71 * 3);
+}
+
+TEST(PlaceInDepth, BelliesAreFullerThanBacksAndFinsThin) {
+  // An ellipse with a triangle on its back.
+  std::vector<Vector2d> ring;
+  for (int i = 0; i < 200; ++i) {
+    const double t = 2 * 3.14159265358979 * i / 200;
+    const Vector2d p(6 * std::cos(t), 2 * std::sin(t));
+    const double rise = p.y() < 0 ? std::max(0.0, 1 - std::abs(p.x())) : 0;
+    ring.emplace_back(p.x(), p.y() - 2 * rise);
+  }
+  const Creature whale = Placed(testing::OnlyBody(testing::Drawn(ring)));
+  const Field field = MakeField(whale, {});
+  const auto depth = [&](double x, double y) {
+    double z = 0;
+    while (Evaluate(field, {x, -y, z}).value > 1) z += 1e-3;
+    return z;
+  };
+  EXPECT_GT(depth(3, 1.2), 1.1 * depth(3, -1.2));
+  EXPECT_LT(depth(0, -3), 0.8 * 0.5);  // the triangle is 0.5 to either side there
+}
+
 TEST(PlaceInDepth, AWiderGapSetsLimbsFurtherOutUntilTheyWouldComeOff) {
   const testing::Drawing drawing = testing::MakeBeast();
   PlaceInDepthOptions options;
@@ -117,7 +171,8 @@ TEST(PlaceInDepth, AWiderGapSetsLimbsFurtherOutUntilTheyWouldComeOff) {
   }
   options.pair_gap = 50;
   const auto skeletons = ExtractSkeletons(drawing.parts, drawing.graph);
-  const auto creature = PlaceInDepth(drawing.parts, drawing.graph, *skeletons, options);
+  const auto creature = PlaceInDepth(drawing.parts, drawing.graph,
+                                     AssembleCreature(drawing.graph, *skeletons), options);
   ASSERT_TRUE(creature.ok());
   const bool noted = std::any_of(creature.diagnostics().begin(), creature.diagnostics().end(),
                                  [](const Diagnostic& d) { return d.code == "pair-close"; });
@@ -164,7 +219,8 @@ TEST(PlaceInDepth, APartAwayFromItsParentIsReported) {
   drawing.Add(testing::Ellipse({9, 0}, 1, 1), PartRole::kSagittal, 0);
   const auto skeletons = ExtractSkeletons(drawing.parts, drawing.graph);
   ASSERT_TRUE(skeletons.ok());
-  const auto creature = PlaceInDepth(drawing.parts, drawing.graph, *skeletons);
+  const auto creature =
+      PlaceInDepth(drawing.parts, drawing.graph, AssembleCreature(drawing.graph, *skeletons));
   ASSERT_TRUE(creature.ok());
   ASSERT_EQ(creature.diagnostics().size(), 1u);
   EXPECT_EQ(creature.diagnostics()[0].code, "part-loose");

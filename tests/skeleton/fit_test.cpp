@@ -19,7 +19,7 @@ using Eigen::Vector2d;
 Creature Placed(const testing::Drawing& drawing) {
   const auto skeletons = ExtractSkeletons(drawing.parts, drawing.graph);
   EXPECT_TRUE(skeletons.ok());
-  return *PlaceInDepth(drawing.parts, drawing.graph, *skeletons);
+  return *PlaceInDepth(drawing.parts, drawing.graph, AssembleCreature(drawing.graph, *skeletons));
 }
 
 std::vector<Chain> RandomChains(std::mt19937& random) {

@@ -19,7 +19,9 @@ using Eigen::Vector2d;
 Field RawField(const testing::Drawing& drawing, const ModelFrame& frame) {
   const auto skeletons = ExtractSkeletons(drawing.parts, drawing.graph);
   EXPECT_TRUE(skeletons.ok());
-  return MakeField(*PlaceInDepth(drawing.parts, drawing.graph, *skeletons), frame);
+  return MakeField(
+      *PlaceInDepth(drawing.parts, drawing.graph, AssembleCreature(drawing.graph, *skeletons)),
+      frame);
 }
 
 /// log of the greatest F over z at a place of the sketch, by brute force.

@@ -95,6 +95,7 @@ TEST(CommandLine, WrongOnesAreRefusedInOneLine) {
       {"build", "a.svg", "--voxel-size", "0.1", "--resolution", "64"},
       {"build", "a.svg", "--size", "-1"},
       {"build", "a.svg", "--blend", "0.5"},
+      {"build", "a.svg", "--torso-depth", "0"},
       {"build", "a.svg", "--blend", "nan"},
       {"build", "a.svg", "--body", "3"},
       {"build", "a.svg", "--body", "nan,3"},

@@ -26,14 +26,32 @@ struct Chain {
   bool operator==(const Chain&) const = default;
 };
 
+/// How a part lies in depth near a place of its plane. Between stations the depths and the
+/// logarithms of the scales that they say are averaged, each with the weight (1 + d^2 / reach^2)^-3
+/// at the distance d.
+struct DepthStation {
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();
+  double reach = 1;                                 ///< sketch units, > 0
+  double z = 0;                                     ///< of the part's middle, towards the viewer
+  double scale = 1;                                 ///< thickness in z over thickness in the plane
+  Eigen::Vector2d tilt = Eigen::Vector2d::Zero();   ///< change of z by place
+  Eigen::Vector2d belly = Eigen::Vector2d::Zero();  ///< towards the belly, 1 / its distance
+  double fuller = 1;                                ///< factor of the scale at the belly
+
+  bool operator==(const DepthStation&) const = default;
+};
+
 /// One part, ready to become a field.
 struct CreaturePart {
   int part = 0;               ///< index in Parts::parts
   std::vector<Chain> chains;  ///< longest first; each reproduces its own discs
   std::optional<int> parent;  ///< index in Creature::parts of the part that it blends with
-  double z = 0;               ///< depth of the drawn side, towards the viewer, in sketch units
+  double z = 0;               ///< depth of the drawn side, towards the viewer, in sketch units; of
+                              ///< its free end where it varies
   bool mirrored = false;      ///< there is a second one at -z
   double depth_scale = 1;     ///< thickness in z over thickness in the plane (lambda)
+  std::vector<DepthStation> stations = {};  ///< z and depth_scale from place to place; or none
+  std::vector<Chain> axis = {};  ///< the chains before the fit: discs that touch the outline
 
   bool operator==(const CreaturePart&) const = default;
 };
@@ -45,33 +63,45 @@ struct Creature {
   bool operator==(const Creature&) const = default;
 };
 
+/// The skeletons cut into chains, parts in the order of the graph, all in the plane z = 0. Radii
+/// are the skeletons'; edges longer than their mean radius get vertices in between.
+Creature AssembleCreature(const DepthGraph& graph, const std::vector<Skeleton>& skeletons);
+
 struct PlaceInDepthOptions {
-  double embed_min =
-      0.35;  ///< smallest share s of a limb's radius that its axis lies inside its parent's surface
-  double embed_max = 1.0;  ///< largest share s: the paper's, the limb's top is flush with the flank
-  double pair_gap = 0.3;   ///< least distance between the two limbs of a pair, in limb radii
-  double torso_depth = 1.0;  ///< depth_scale of the body
-  double flat_depth = 0.35;  ///< depth_scale of parts that are flat (DepthNode::flat)
+  double torso_depth = 1.0;  ///< thickness of the body in z over its height
+  double belly = 1.25;       ///< at its belly, as a factor on that
+  double limb_depth = 1.0;   ///< thickness of a limb's free end in z over its width
+  double embed = 0.25;  ///< how deep a limb's middle lies under its parent's surface, in its radii
+  double relief = 0.3;  ///< how far it stands out of that surface, in its radii
+  double pair_gap = 0.3;     ///< least distance between the two limbs of a pair, in their radii
+  double flat_depth = 0.35;  ///< thickness in z over width of parts that are flat (DepthNode::flat)
 
   bool operator==(const PlaceInDepthOptions&) const = default;
 };
 
-/// Cuts the skeletons into chains and finds the depth of every part; parts come in the order of the
-/// graph.
+/// Finds the depth of every part of a creature, after the fit: sizes are measured on the axes, and
+/// the parts are put on each other's surfaces as the fit left them. Nothing of it changes the view
+/// from the side (field/depth_map.h).
 ///
-/// The body and sagittal parts lie in the plane z = 0. A foreground part's depth is that of its top
-/// disc (where its completion inside the parent is): the parent's surface above it, less the share
-/// s of its radius along the surface's normal. s is the largest in [embed_min, embed_max] that
-/// keeps the part, where it is clear of the parent's outline, pair_gap / 2 of its radius away from
-/// the sagittal plane; when none does, the part moves out further, while one of its discs still
-/// reaches half of its radius into the parent. Islands lie 0.4 radii under the surface. What sits
-/// on a part out of the plane has the depth of its parent, and its mirror image. Radii are the
-/// skeleton's; edges longer than their mean radius get vertices in between.
+/// The body and sagittal parts lie in the plane z = 0. The body's sections are torso_depth times as
+/// deep as they are tall, fuller below the middle; where it rises over its back for a short stretch
+/// (a hump, a fin), its depth doesn't follow.
+///
+/// A limb over its parent has its root in the parent's surface, at the disc nearest its completion
+/// there, and is flattened where it lies on the parent. A hanging one (a leg, an arm) goes out from
+/// there to where its outer face is flush with the deepest place of the parent near it, and on
+/// straight; a rising one (an ear, a horn, a wing) leans out along the parent's normal, by 35
+/// degrees at most, and is the flatter the shorter it is for its width; one that ends on its parent
+/// lies on it. Where a limb is clear of its parent's outline, its middle keeps (1 + pair_gap / 2)
+/// times its radius in z from the sagittal plane; if it has to, by moving out further, as far as
+/// its parent's deepest place. Islands are lenses in the surface. What sits on a part out of the
+/// plane has its parent's depths and its mirror image.
+///
+/// Parts that are said to be flat are at most flat_depth times as deep as wide.
 ///
 /// Notes: "pair-close" for a limb that had to move out. Warnings: "part-loose" for a part that
-/// reaches into its parent at no depth. Cost: less than 1 ms.
-Outcome<Creature> PlaceInDepth(const Parts& parts, const DepthGraph& graph,
-                               const std::vector<Skeleton>& skeletons,
+/// reaches into its parent at no depth. Cost: about 1 ms.
+Outcome<Creature> PlaceInDepth(const Parts& parts, const DepthGraph& graph, Creature creature,
                                const PlaceInDepthOptions& options = {});
 
 /// Takes sketch coordinates to the model's: x right and y up as drawn, millimetres.

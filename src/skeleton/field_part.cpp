@@ -1,0 +1,98 @@
+#include "skeleton/field_part.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "skeleton/chains.h"
+#include "skeleton/index.h"
+#include "skeleton/smoothstep.h"
+
+namespace lascaux {
+namespace {
+
+using Eigen::Vector2d;
+
+/// Coefficients of a depth map along its longer side: a few for each radius of a slender part.
+constexpr double kCells = 40;
+
+/// The box that the part's field lives in.
+Eigen::AlignedBox2d SupportBox(const std::vector<Chain>& chains) {
+  Eigen::AlignedBox2d box;
+  for (const Chain& chain : chains) {
+    for (const SkeletonVertex& v : chain.vertices) {
+      const Vector2d reach = Vector2d::Constant(kSupportRadii * v.radius);
+      box.extend(Vector2d(v.position - reach));
+      box.extend(Vector2d(v.position + reach));
+    }
+  }
+  return box;
+}
+
+/// Average of the stations at a place: z, and log scale.
+Vector2d Average(const std::vector<DepthStation>& stations, const Vector2d& place) {
+  Vector2d sum = Vector2d::Zero();
+  double weights = 0;
+  for (const DepthStation& station : stations) {
+    const double rest =
+        1 + (place - station.position).squaredNorm() / (station.reach * station.reach);
+    const double weight = 1 / (rest * rest * rest);
+    const Vector2d way = place - station.position;
+    const double fuller = std::log(station.fuller) * Smoothstep(station.belly.dot(way));
+    sum += weight * Vector2d(station.z + station.tilt.dot(way), std::log(station.scale) + fuller);
+    weights += weight;
+  }
+  return sum / weights;
+}
+
+DepthMap MapOf(const CreaturePart& part, const ModelFrame& frame) {
+  const Eigen::AlignedBox2d box = SupportBox(part.chains);
+  const double cell = box.sizes().maxCoeff() / kCells;
+  DepthMap map;
+  map.cell = frame.scale * cell;
+  // Rows run upwards in the model, whose y is up.
+  map.origin = frame.ToModel({box.min().x(), box.max().y()});
+  map.columns = static_cast<int>(std::ceil(box.sizes().x() / cell)) + 1;
+  map.rows = static_cast<int>(std::ceil(box.sizes().y() / cell)) + 1;
+  map.middle.reserve(Index(map.columns) * Index(map.rows));
+  map.steepness.reserve(map.middle.capacity());
+  for (int row = 0; row < map.rows; ++row) {
+    for (int column = 0; column < map.columns; ++column) {
+      const Vector2d place(box.min().x() + cell * column, box.max().y() - cell * row);
+      const Vector2d here = Average(part.stations, place);
+      map.middle.push_back(static_cast<float>(frame.scale * here.x()));
+      map.steepness.push_back(static_cast<float>(std::exp(-here.y())));
+    }
+  }
+  return map;
+}
+
+}  // namespace
+
+FieldPart MakeFieldPart(const CreaturePart& part, const ModelFrame& frame) {
+  FieldPart field;
+  field.z0 = frame.scale * part.z;
+  field.depth_scale = part.depth_scale;
+  for (const Chain& chain : part.chains) {
+    field.chains.push_back(MakeFieldChain(chain, frame, field.z0));
+  }
+  if (!part.stations.empty()) field.depth = MapOf(part, frame);
+  return field;
+}
+
+FieldPart MirrorImage(const FieldPart& part) {
+  FieldPart image = part;
+  image.parent.reset();
+  image.z0 = -part.z0;
+  for (FieldChain& chain : image.chains) {
+    for (Segment& s : chain.segments) s.a.z() *= -1, s.b.z() *= -1;
+    for (PointPrimitive& p : chain.points) p.center.z() *= -1;
+  }
+  if (image.depth) {
+    for (float& z : image.depth->middle) z = -z;
+  }
+  return image;
+}
+
+}  // namespace lascaux
