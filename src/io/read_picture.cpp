@@ -37,12 +37,14 @@ void AppendReason(void* context, const char* bytes, std::size_t size) {
   static_cast<Decoding*>(context)->reason.append(bytes, size);
 }
 
-/// Libraries that decode JPEG fill what is missing with grey and call it good.
+/// Libraries that decode JPEG fill what is missing with grey and call it good, and libpng writes a
+/// message of its own.
 bool EndsTooEarly(std::string_view bytes) {
-  if (!bytes.starts_with("\xff\xd8\xff"sv)) return false;
   constexpr std::size_t kTrailer = 1024;  // some writers append a few bytes
-  return bytes.substr(bytes.size() - std::min(bytes.size(), kTrailer)).rfind("\xff\xd9"sv) ==
-         std::string_view::npos;
+  const std::string_view tail = bytes.substr(bytes.size() - std::min(bytes.size(), kTrailer));
+  if (bytes.starts_with("\xff\xd8\xff"sv)) return tail.rfind("\xff\xd9"sv) == tail.npos;
+  if (bytes.starts_with("\x89PNG"sv)) return tail.rfind("IEND"sv) == tail.npos;
+  return false;
 }
 
 Diagnostic BrokenPicture(std::string reason) {

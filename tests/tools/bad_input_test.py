@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Bad input gets an exit code, one message that says what to do, and no model."""
+import gzip
 import math
 import os
 import random
@@ -44,6 +45,14 @@ class BadInputTest(ProgramTest):
             ("in.svg", drawing("M 10 10 L nan 50 L 90 90"), ""),
             ("in.svg", drawing("M 10 10 L 1e999 50 L 90 90"), ""),
             ("in.svg", drawing("M 10 10"), ""),
+            ("in.svg", drawing("M 5 5 L 5 5"), "no-strokes"),
+            ("in.svg", drawing("M 0 0 L 9 9 L 5 0 Z").replace("<path", "<path transform='scale(0)'"),
+             "no-strokes"),
+            ("in.svg", SVG.format("<image width='5' height='5' href='a.png'/>"), "no-strokes"),
+            ("in.svg", "<", "broken-xml"),
+            ("in.svgz", gzip.compress(cat), "gunzip <"),
+            ("in.svg", cat.decode().replace("<?xml", " <?xml").encode("utf-16-be"), ""),
+            ("in.png", b"\x89PNG\r\n\x1a\n" + bytes(2000), "ends too early"),
         ):
             with self.subTest(content=content[:60]):
                 path = self.write(name, content)
@@ -107,6 +116,19 @@ class BadInputTest(ProgramTest):
     def test_a_full_disk_is_5_and_leaves_nothing(self):
         process = self.build(CAT, "--resolution", 96, preexec_fn=limit_file_size(100_000))
         self.assert_refused(process, 5, "cannot-write")
+
+    def test_names_of_files_may_be_odd(self):
+        for name in ("in. caté 猫.svg", "in.new\nline.svg", "in.%s'\"\t.svg"):
+            with self.subTest(name=name):
+                path = self.write(name, drawing("M 10 10 L 90 90"))
+                self.assert_refused(self.build(path), 4, "outline-open")
+                path.unlink()
+
+    def test_sketches_after_an_output_are_no_outputs(self):
+        sketches = [self.write(f"in.{k}.svg", drawing("M 10 10 L 90 90")) for k in "ab"]
+        before = sketches[0].read_bytes()
+        self.assert_code(run("build", "-o", self.folder / "{}.stl", *sketches), 4)
+        self.assertEqual(sketches[0].read_bytes(), before)
 
     def test_a_device_is_not_replaced(self):
         process = run("build", CAT, "--report", "/dev/full", "--resolution", 48)

@@ -29,7 +29,8 @@ std::ptrdiff_t CountMarkup(std::string_view text) {
 Diagnostic NotSvg(std::string_view bytes) {
   std::string what = "its first character is not '<', so it is no XML";
   if (bytes.empty()) what = "the file is empty";
-  if (bytes.starts_with("\x1f\x8b")) what = "it is compressed; unpack it with gunzip first";
+  if (bytes.starts_with("\x1f\x8b"))
+    what = "it is compressed; unpack it first, as by gunzip < IN.svgz > OUT.svg";
   if (bytes.starts_with("\x89PNG") || bytes.starts_with("\xff\xd8\xff")) {
     what = "it is a picture; trace it first";
   }
