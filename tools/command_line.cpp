@@ -100,7 +100,8 @@ void AddBuild(CLI::App& app, CommandLine& line) {
                  ".exr .json "
                  "(report) .svg (how the drawing was read); {} stands for the sketch's name")
       ->type_name("FILE")
-      ->take_all();
+      ->take_all()
+      ->allow_extra_args(false);
   AddShared(app, line);
   auto* resolution =
       app.add_option("--resolution", pipeline.resolution, "Voxels along the longest side")
@@ -141,7 +142,8 @@ void AddBuild(CLI::App& app, CommandLine& line) {
   AddBackground(app, pipeline.preview.render);
   app.add_option("--report", options.reports, "Writes the report, whatever the file's ending")
       ->type_name("FILE")
-      ->take_all();
+      ->take_all()
+      ->allow_extra_args(false);
   app.add_flag_callback(
       "--no-timings", [&options] { options.write.timings = ReportTimings::kWithout; },
       "Leaves the one thing out of the report that differs between equal runs");
@@ -163,7 +165,8 @@ void AddInspect(CLI::App& app, CommandLine& line) {
          "problems on the drawing), .json (the same as data); {} stands for the sketch's name")
       ->type_name("FILE")
       ->required()
-      ->take_all();
+      ->take_all()
+      ->allow_extra_args(false);
   AddShared(app, line);
 }
 
@@ -174,7 +177,8 @@ void AddTrace(CLI::App& app, CommandLine& line) {
          "{} stands for the sketch's name")
       ->type_name("FILE")
       ->required()
-      ->take_all();
+      ->take_all()
+      ->allow_extra_args(false);
   AddInputs(app, line);
 }
 
@@ -197,6 +201,16 @@ void AddCheck(CLI::App& app, CommandLine& line) {
 std::string OneLine(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text;
+}
+
+/// What is wrong with the command line. A file whose name begins with '-' looks like an option.
+std::string Complaint(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<std::string> extras = app.remaining(true);
+  const auto dashed = std::find_if(extras.begin(), extras.end(), [](const std::string& text) {
+    return text.size() > 1 && text.front() == '-';
+  });
+  if (dashed == extras.end()) return OneLine(error.what());
+  return OneLine(fmt::format("there is no option {0}; a file of this name is ./{0}", *dashed));
 }
 
 }  // namespace
@@ -229,7 +243,7 @@ std::variant<CommandLine, Answer> ParseCommandLine(std::vector<std::string> argu
   } catch (const CLI::ParseError& error) {
     return Answer{ExitCode::kUsage,
                   fmt::format("lascaux: error: usage: {}; lascaux --help shows how\n",
-                              OneLine(error.what()))};
+                              Complaint(app, error))};
   }
   line.verb = inspect->parsed()  ? Verb::kInspect
               : trace->parsed()  ? Verb::kTrace

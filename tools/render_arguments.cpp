@@ -16,7 +16,8 @@ void AddRender(CLI::App& app, RenderCommandOptions& options, int& threads) {
          "for the number of a picture")
       ->type_name("FILE")
       ->required()
-      ->take_all();
+      ->take_all()
+      ->allow_extra_args(false);
   app.add_option("--as", options.format, "png or exr, whatever the endings of the outputs")
       ->check(CLI::IsMember({"png", "exr"}))
       ->type_name("FORMAT");

@@ -81,6 +81,25 @@ TEST(CommandLine, VoxelSizeDecidesInsteadOfTheResolution) {
             0.2);
 }
 
+TEST(CommandLine, AnOptionTakesOneFileAndTheOthersAreSketches) {
+  // Else the first sketch would be written over.
+  const auto build = Understood({"build", "-o", "{}.stl", "a.svg", "b.svg"}).options;
+  EXPECT_EQ(build.outputs, (Arguments{"{}.stl"}));
+  EXPECT_EQ(build.sketches, (Arguments{"a.svg", "b.svg"}));
+  const auto report = Understood({"build", "--report", "{}.json", "a.svg", "b.svg"}).options;
+  EXPECT_EQ(report.reports, (Arguments{"{}.json"}));
+  EXPECT_EQ(Understood({"render", "-o", "{}.png", "a.vdb", "b.vdb"}).render.models,
+            (Arguments{"a.vdb", "b.vdb"}));
+}
+
+TEST(CommandLine, AFileMayBeginWithADash) {
+  EXPECT_EQ(Understood({"build", "-o", "a.stl", "--", "-a.svg"}).options.sketches,
+            (Arguments{"-a.svg"}));
+  const Answer answer = Answered({"build", "-a.svg", "-o", "a.stl"});
+  EXPECT_EQ(answer.code, ExitCode::kUsage);
+  EXPECT_NE(answer.text.find("./-a.svg"), std::string::npos) << answer.text;
+}
+
 TEST(CommandLine, WrongOnesAreRefusedInOneLine) {
   const std::vector<Arguments> wrong = {
       {},
