@@ -8,6 +8,8 @@ namespace {
 
 /// At most so many cells along a side: 512 x 512 cells are 1 MB.
 constexpr double kMaxCellsPerSide = 512;
+/// At most so many cells a segment, or emptying them takes longer than the search.
+constexpr double kMaxCellsPerSegment = 8;
 /// Where more than this share of all numbers is listed, marking them is faster than sorting.
 constexpr double kManyShare = 0.1;
 
@@ -38,8 +40,9 @@ SegmentGrid::SegmentGrid(std::vector<SegmentRef> segments) : segments_(std::move
     length += (s.b - s.a).norm();
   }
   const double side = bounds_.sizes().maxCoeff();
-  cell_ =
-      std::max({length / static_cast<double>(segments_.size()), side / kMaxCellsPerSide, 1e-300});
+  const auto count = static_cast<double>(segments_.size());
+  const double cells_per_side = std::min(kMaxCellsPerSide, std::sqrt(kMaxCellsPerSegment * count));
+  cell_ = std::max({length / count, side / cells_per_side, 1e-300});
   size_ = CellOf(bounds_.max()) + Eigen::Vector2i::Ones();
 
   const auto for_cells = [&](const SegmentRef& s, auto&& visit) {
