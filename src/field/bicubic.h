@@ -27,29 +27,31 @@ struct SplineWeights {
 
 inline int Floor(double x) { return static_cast<int>(std::floor(x)); }
 
-/// A spline's value and its derivatives, by cells.
-struct SplineSample {
-  double value = 0;
-  Eigen::Vector2d slope = Eigen::Vector2d::Zero();
+/// Values of `N` splines over the same cells, and their derivatives, by cells.
+template <int N>
+struct SplineSamples {
+  using Row = Eigen::Array<double, N, 1>;
+  Row value = Row::Zero(), by_x = Row::Zero(), by_y = Row::Zero();
 };
 
-/// The spline whose coefficients are at(column, row), at a place that is given in cells.
-template <typename At>
-SplineSample EvaluateSpline(const Eigen::Vector2d& cells, At at) {
+/// The splines whose coefficients are at(column, row), at a place that is given in cells.
+template <int N, typename At>
+SplineSamples<N> EvaluateSplines(const Eigen::Vector2d& cells, At at) {
+  using Row = typename SplineSamples<N>::Row;
   const int column = Floor(cells.x()), row = Floor(cells.y());
   const SplineWeights x(cells.x() - column), y(cells.y() - row);
-  SplineSample result;
+  SplineSamples<N> result;
   for (int j = 0; j < 4; ++j) {
-    double value = 0, slope = 0;
+    Row value = Row::Zero(), slope = Row::Zero();
     for (int i = 0; i < 4; ++i) {
-      const auto c = static_cast<double>(at(column - 1 + i, row - 1 + j));
+      const Row c = at(column - 1 + i, row - 1 + j);
       value += x.value[static_cast<std::size_t>(i)] * c;
       slope += x.slope[static_cast<std::size_t>(i)] * c;
     }
     const auto k = static_cast<std::size_t>(j);
     result.value += y.value[k] * value;
-    result.slope.x() += y.value[k] * slope;
-    result.slope.y() += y.slope[k] * value;
+    result.by_x += y.value[k] * slope;
+    result.by_y += y.slope[k] * value;
   }
   return result;
 }

@@ -25,12 +25,13 @@ Eigen::Vector2d InCells(const DepthMap& map, const Eigen::Vector2d& place) {
 }  // namespace
 
 DepthSample EvaluateDepth(const DepthMap& map, const Eigen::Vector2d& place) {
-  const Eigen::Vector2d at = InCells(map, place);
-  const internal::SplineSample middle = internal::EvaluateSpline(
-      at, [&map](int column, int row) { return map.middle[IndexOf(map, column, row)]; });
-  const internal::SplineSample steepness = internal::EvaluateSpline(
-      at, [&map](int column, int row) { return map.steepness[IndexOf(map, column, row)]; });
-  return {middle.value, steepness.value, middle.slope / map.cell, steepness.slope / map.cell};
+  const auto both = internal::EvaluateSplines<2>(InCells(map, place), [&map](int column, int row) {
+    const std::size_t i = IndexOf(map, column, row);
+    return Eigen::Array2d(static_cast<double>(map.middle[i]),
+                          static_cast<double>(map.steepness[i]));
+  });
+  const Eigen::Array2d by_x = both.by_x / map.cell, by_y = both.by_y / map.cell;
+  return {both.value[0], both.value[1], {by_x[0], by_y[0]}, {by_x[1], by_y[1]}};
 }
 
 DepthRange RangeOf(const DepthMap& map, const Eigen::AlignedBox2d& box) {
