@@ -165,5 +165,15 @@ TEST(Limbs, TheNearEarIsTheBumpBesideTheFarOne) {
                           {{325, 234}, PartRole::kSagittal}});
 }
 
+TEST(Limbs, TheLargerHalfOfAFaceIsNoLimbOfIt) {
+  const auto read = ReadDrawing(R"(
+      <path d="M60 60C120 20 250 20 300 60C310 30 340 30 360 60C380 90 400 100 390 120
+               C370 160 330 160 290 145C220 160 120 160 60 140C30 120 30 80 60 60Z"/>
+      <path d="M300 60C312 70 320 80 324 92"/>
+      <path d="M290 145C306 140 318 131 324 118"/>)");
+  ASSERT_TRUE(read);
+  for (const Part& part : read->parts.parts) EXPECT_NE(part.kind, PartKind::kLimb);
+}
+
 }  // namespace
 }  // namespace lascaux

@@ -28,6 +28,8 @@ constexpr double kLeastProtrusion = 1.25;
 /// open ends. That is so where a limb behind meets it near its tip, and then the closed ends, which
 /// lie on two limbs, say nothing of the parent's line.
 constexpr double kLeastEnclosure = 10;
+/// The larger half of a face is no limb of it, however well two curves meet there.
+constexpr double kMostShare = 0.5;
 /// Least value of the paper's p: even the best angles leave some of the completions' energy.
 constexpr double kLeastP = 0.05;
 /// Share of the chord between closed ends that has to run through the face.
@@ -82,6 +84,14 @@ double PairEnergy(const FaceView& face, int i, int j, double limit) {
       Complete({a.points.front(), arrival_a}, {b.points.front(), arrival_b}).energy;
   const double open = Complete({a.points.back(), a.tip}, {b.points.back(), b.tip}).energy;
   return p * (encloses ? open : open + closed) + turns;
+}
+
+/// True when the limb that owns the walk from curve i to curve j would be most of its face.
+bool IsMostOf(const FaceView& face, int i, int j) {
+  const Polyline own = Stretch(face.line, face.curves[static_cast<std::size_t>(i)].arc,
+                               face.curves[static_cast<std::size_t>(j)].arc)
+                           .points;
+  return std::abs(SignedArea(own)) > kMostShare * std::abs(SignedArea(face.line.points));
 }
 
 /// Interval dynamic programme over the curves in walk order: the non-crossing assignment of least
@@ -145,9 +155,11 @@ Candidate BestWay(const FaceView& face, int i, int j, double limit) {
   const Vector2d& b = face.curves[static_cast<std::size_t>(j)].points.front();
   const double chord = (a - b).norm() / face.map.diagonal;
   if (chord < kShortest || chord > kWidest) return {};
-  const Candidate ahead{i, j, PairEnergy(face, i, j, limit)},
-      around{j, i, PairEnergy(face, j, i, limit)};
-  const Candidate best = ahead.energy <= around.energy ? ahead : around;
+  Candidate ways[] = {{i, j, PairEnergy(face, i, j, limit)}, {j, i, PairEnergy(face, j, i, limit)}};
+  for (Candidate& way : ways) {
+    if (way.energy < limit && IsMostOf(face, way.i, way.j)) way = {};
+  }
+  const Candidate& best = ways[0].energy <= ways[1].energy ? ways[0] : ways[1];
   return best.energy < limit && ChordIsInside(face.line.points, a, b) ? best : Candidate{};
 }
 
