@@ -27,9 +27,17 @@ def read_off(path):
 def read_ply(path):
     """A mesh that the program wrote: in the model's frame, as a .stl, which lies on the bed, is not."""
     head, body = path.read_bytes().split(b"end_header\n", 1)
-    vertices, faces = (int(line.split()[2]) for line in head.splitlines() if line.startswith(b"element"))
-    points = np.frombuffer(body, "<f4", 6 * vertices).reshape(-1, 6)[:, :3].astype(float)
-    polygons = np.frombuffer(body, np.dtype([("size", "u1"), ("corners", "<u4", 3)]), faces, 24 * vertices)
+    types = {"float": "<f4", "uchar": "u1", "ushort": "<u2"}
+    counts, vertex = {}, []
+    for words in (line.decode().split() for line in head.splitlines()):
+        if words[0] == "element":
+            counts[words[1]] = int(words[2])
+        elif words[0] == "property" and "face" not in counts:
+            vertex.append((words[2], types[words[1]]))
+    points = np.frombuffer(body, np.dtype(vertex), counts["vertex"])
+    points = np.stack([points[axis] for axis in "xyz"], 1).astype(float)
+    polygons = np.frombuffer(body, np.dtype([("size", "u1"), ("corners", "<u4", 3)]), counts["face"],
+                             np.dtype(vertex).itemsize * counts["vertex"])
     return points[polygons["corners"]]
 
 
