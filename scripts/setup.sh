@@ -12,7 +12,7 @@ packages='
   libopenvdb-tools openimageio-tools python3 python3-openvdb admesh assimp-utils lib3mf1
 '
 
-# npm brings the readers of glTF and USD, which Debian has not.
+# npm brings what scripts/outside_readers.sh installs; any npm will do.
 command -v npm >/dev/null || packages="$packages nodejs npm"
 
 missing=''
@@ -21,22 +21,7 @@ for package in $packages; do
   [ "$status" = installed ] || missing="$missing $package"
 done
 
-outside_readers() {
-  sources=$(dirname "$0")/../tests/outside
-  folder=$(dirname "$0")/../build/outside
-  if ! cmp -s "$sources/package-lock.json" "$folder/done.json"; then
-    echo 'setup: installing readers from npm'
-    mkdir -p "$folder"
-    cp "$sources/package.json" "$sources/package-lock.json" "$folder"
-    npm ci --prefix "$folder" --no-audit --no-fund --ignore-scripts
-    cp "$sources/package-lock.json" "$folder/done.json"
-  fi
-}
-
-if [ -z "$missing" ]; then
-  outside_readers
-  exit 0
-fi
+[ -n "$missing" ] || exit 0
 
 if [ "$(id -u)" = 0 ]; then
   root=''
@@ -51,4 +36,3 @@ echo "setup: installing$missing"
 $root env DEBIAN_FRONTEND=noninteractive apt-get update -q
 # shellcheck disable=SC2086  # a list of names
 $root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $missing
-outside_readers
