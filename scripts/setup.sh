@@ -9,7 +9,7 @@ packages='
   libboost-dev libboost-iostreams-dev libboost-system-dev zlib1g-dev libpng-dev libblosc-dev
   libminizip-dev libpugixml-dev libcli11-dev nlohmann-json3-dev libfmt-dev lib2geom-dev
   libgtest-dev libbenchmark-dev
-  libopenvdb-tools openimageio-tools python3 python3-openvdb admesh assimp-utils lib3mf1
+  libopenvdb-tools openimageio-tools python3 python3-numpy python3-opencv python3-openvdb admesh assimp-utils lib3mf1
 '
 
 # npm brings what scripts/outside_readers.sh installs; any npm will do.

@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 """Reads one file of each format with programs that are not ours, and compares what they say with what is in it.
 
-Usage: check_formats.py WRITE_SAMPLES MODULES: the program that writes the samples, and the node_modules of tests/outside.
+Usage: check_formats.py WRITE_SAMPLES MODULES: the program that writes the samples, and the node_modules of tests/outside, if they
+are there.
 """
 
 import json
@@ -76,7 +77,6 @@ def check_glb(path):
     found = ask_npm("gltf", path)
     assert found["issues"]["messages"] == [], found
     assert found["info"]["totalTriangleCount"] == 8192 and found["info"]["totalVertexCount"] == 4098
-    check_by_assimp(path, 0.001)
 
 
 def check_usda(path):
@@ -147,8 +147,12 @@ def main():
         check_ply(folder / "sphere.ply")
         check_by_assimp(folder / "parts.ply", 0.001)
         check_by_assimp(folder / "sphere.obj", 0.001)
-        check_glb(folder / "sphere.glb")
-        check_usda(folder / "sphere.usda")
+        check_by_assimp(folder / "sphere.glb", 0.001)
+        if Path(sys.argv[2]).is_dir():
+            check_glb(folder / "sphere.glb")
+            check_usda(folder / "sphere.usda")
+        else:
+            print("glTF validator and USD reader are not installed: scripts/outside_readers.sh")
         check_3mf(folder / "sphere.3mf")
         check_vdb(folder / "sphere.vdb", 0.001, "m")
         check_vdb(folder / "sphere_mm.vdb", 1, "mm")
