@@ -15,7 +15,7 @@ if [ -z "${NODE_EXTRA_CA_CERTS:-}" ] && [ -e $certificates ]; then export NODE_E
 mkdir -p $folder
 cp $wanted/package.json $wanted/package-lock.json $folder
 for wait in 2 10 0; do  # registries have their moments
-  if npm ci --prefix $folder --no-audit --no-fund --ignore-scripts; then
+  if npm ci --prefix $folder --no-audit --no-fund --ignore-scripts --fetch-retries 0; then
     cp $wanted/package-lock.json $folder/done.json
     exit 0
   fi
