@@ -21,4 +21,5 @@ for wait in 2 10 0; do  # registries have their moments
   fi
   sleep $wait
 done
+rm -rf $folder/node_modules  # or half of it might be there
 echo 'outside_readers: npm could not install tests/outside/package.json: the tests will have glTF read by assimp alone, and USD by nobody' >&2
