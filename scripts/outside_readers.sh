@@ -16,6 +16,8 @@ mkdir -p $folder
 cp $wanted/package.json $wanted/package-lock.json $folder
 for wait in 2 10 0; do  # registries have their moments
   if npm ci --prefix $folder --no-audit --no-fund --ignore-scripts --fetch-retries 0; then
+    # Its files are modules and its package does not say so, which Debian's node wants to know.
+    (cd $folder/node_modules/tinyusdz && npm pkg set type=module)
     cp $wanted/package-lock.json $folder/done.json
     exit 0
   fi
