@@ -36,4 +36,8 @@ function(lascaux_add_test name)
   # OpenVDB's templates are most of what tests compile; optimised in full they take a third longer and run no faster.
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   add_test(NAME ${name} COMMAND ${target})
+  if(LASCAUX_SANITIZE)
+    set_tests_properties(${name} PROPERTIES
+                         ENVIRONMENT "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/lsan.supp")
+  endif()
 endfunction()
