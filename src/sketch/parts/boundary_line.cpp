@@ -28,9 +28,6 @@ std::size_t PieceAt(const BoundaryLine& line, double arc) {
 
 }  // namespace
 
-namespace {
-
-/// The place on the line that is nearest to a point, and how near.
 std::pair<double, double> NearestPlace(const BoundaryLine& line, const Vector2d& point) {
   std::pair<double, double> best{0, std::numeric_limits<double>::infinity()};
   for (std::size_t i = 0; i < line.points.size(); ++i) {
@@ -42,6 +39,8 @@ std::pair<double, double> NearestPlace(const BoundaryLine& line, const Vector2d&
   }
   return best;
 }
+
+namespace {
 
 /// True when a curve begins along the boundary, and not because a limb's edge runs on into it at a
 /// flat angle.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <utility>
 #include <vector>
 
 #include "lascaux/sketch/planar_map.h"
@@ -59,6 +60,9 @@ std::vector<SuggestiveCurve> SuggestiveCurvesOf(const PlanarMap& map, const Boun
 /// Tangents at closed and open ends are taken over this length: longer than a hook of the pen,
 /// shorter than a bend.
 double TangentReach(const PlanarMap& map);
+
+/// The place on the line that is nearest to a point, and how near.
+std::pair<double, double> NearestPlace(const BoundaryLine& line, const Eigen::Vector2d& point);
 
 /// The walk from one place to another, going ahead.
 BoundaryStretch Stretch(const BoundaryLine& line, double from, double to);

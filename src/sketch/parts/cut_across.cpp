@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <limits>
 
 #include "sketch/parts/limb_cut.h"
 
@@ -29,19 +28,6 @@ Polyline RootFlank(const FaceView& face, const Vector2d& closed, const Vector2d&
     }
   }
   return {};
-}
-
-/// The place on the line that is nearest to a point, and how near.
-std::pair<double, double> NearestPlace(const BoundaryLine& line, const Vector2d& point) {
-  std::pair<double, double> best{0, std::numeric_limits<double>::infinity()};
-  for (std::size_t i = 0; i < line.points.size(); ++i) {
-    const std::size_t next = (i + 1) % line.points.size();
-    const double t = NearestParameter(line.points[i], line.points[next], point);
-    const Vector2d step = line.points[next] - line.points[i];
-    const double distance = (line.points[i] + t * step - point).norm();
-    if (distance < best.second) best = {line.arcs[i] + t * step.norm(), distance};
-  }
-  return best;
 }
 
 }  // namespace
