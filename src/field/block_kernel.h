@@ -39,9 +39,31 @@ struct KernelPoint {
   float norm;  ///< weight times N0
 };
 
-/// Depths of a tile's points in the flat space of a part with a depth map, and their derivatives.
-struct alignas(64) KernelDepths {
-  float z[kTile], by_x[kTile], by_y[kTile], by_z[kTile];
+/// A spline's places are kept within so many cells of its table: beyond, nothing changes.
+inline constexpr int kTableReach = 2;
+
+/// One or two uniform bicubic splines over the same cells of the plane, seen from a block's origin.
+/// The coefficients go on by kTableReach + 1 cells before the table and two more behind it, so that
+/// nobody asks where it ends.
+struct KernelTable {
+  const float* coefficients;  ///< of cell (-kTableReach - 1, -kTableReach - 1); null for none
+  int channels, columns, rows, stride;  ///< columns and rows of the table itself
+  int column, row;                      ///< cell of the origin
+  float x, y;                           ///< the origin in that cell, 0 to 1
+  float inv_cell;
+  float shift;  ///< is taken from the first spline's coefficients
+};
+
+/// Cells of a table: at least 4 columns, those around it included.
+struct KernelRectangle {
+  int column, row, columns, rows;
+};
+
+/// The depth map of a part: middles, seen from the one at the origin, and steepness.
+struct KernelMap {
+  KernelTable table;
+  float above;        ///< of the origin above table.shift
+  float flat_origin;  ///< z of the origin in the part's flat space, from z0
 };
 
 /// Ranges of primitives that are added.
@@ -55,7 +77,7 @@ struct KernelPart {
   std::uint32_t slot;       ///< where its samples are kept for its children: its depth in the tree
   bool blends_with_parent;  ///< the samples in slot - 1 are its parent's
   float inv_depth_scale;
-  int map;  ///< index of its depths, or -1 when inv_depth_scale is all there is
+  int map;  ///< index in the maps, or -1 when inv_depth_scale is all there is
 };
 
 /// A Ricci exponent: 2^squarings, or any n when squarings is negative.
@@ -72,7 +94,8 @@ struct KernelProgram {
   const KernelPart* parts;
   std::uint32_t part_count;
   KernelExponent chain_exponent, part_exponent;
-  const KernelDepths* depths;  ///< of the parts with depth maps, for the tile at hand
+  const KernelMap* maps;
+  KernelTable gain;
 };
 
 /// kTile values and gradients, aligned to 64 bytes.
@@ -111,6 +134,8 @@ struct BlockKernel {
   void (*bounds)(const KernelBalls&, KernelBounds* bounds);
   /// Signed distances of `count` samples, at most kTile, clamped to [-limit, limit].
   void (*distances)(const KernelSamples&, float limit, float* distances);
+  /// Least and greatest coefficient of each spline of a table in a rectangle.
+  void (*extent)(const KernelTable&, const KernelRectangle&, float* low, float* high);
 };
 
 const BlockKernel& BaselineKernel();

@@ -91,14 +91,16 @@ void BallPass::Enter(const CompiledPart& part) {
     return;
   }
   const Eigen::Vector2d reach = Eigen::Vector2d::Constant(ball_.radius), place = center.head<2>();
-  const DepthRange range =
-      RangeOf(*part.map, {Eigen::Vector2d(place - reach), Eigen::Vector2d(place + reach)});
-  const double middle = (range.middle_low + range.middle_high) / 2;
-  const double steepness = (range.steepness_low + range.steepness_high) / 2;
+  const auto range = part.table->ExtentOn(
+      {Eigen::Vector2d(place - reach), Eigen::Vector2d(place + reach)}, *data_.kernel);
+  const auto middle_low = static_cast<double>(range.low[0]),
+             middle_high = static_cast<double>(range.high[0]),
+             steepest = static_cast<double>(range.high[1]);
+  const double middle = (middle_low + middle_high) / 2;
+  const double steepness = (static_cast<double>(range.low[1]) + steepest) / 2;
   center_ = {center.x(), center.y(), part.z0 + (center.z() - middle) * steepness};
-  radius_ = ball_.radius * std::max(1.0, range.steepness_high) +
-            range.steepness_high * (range.middle_high - middle) +
-            (range.steepness_high - steepness) * std::abs(center.z() - middle);
+  radius_ = ball_.radius * std::max(1.0, steepest) + steepest * (middle_high - middle) +
+            (steepest - steepness) * std::abs(center.z() - middle);
 }
 
 void BallPass::Consider(std::uint32_t id) {
@@ -238,10 +240,10 @@ BallBounds CompiledField::BoundOnBall(const Ball& ball, const ActiveSet& in,
   if (data_->gain) {
     const Eigen::Vector2d reach = Eigen::Vector2d::Constant(ball.radius),
                           center = ball.center.head<2>();
-    const LogGainRange gain =
-        RangeOf(*data_->gain, {Eigen::Vector2d(center - reach), Eigen::Vector2d(center + reach)});
-    found.bounds.lower *= static_cast<float>(std::exp(gain.lower));
-    found.bounds.upper *= static_cast<float>(std::exp(gain.upper));
+    const auto gain = data_->gain->ExtentOn(
+        {Eigen::Vector2d(center - reach), Eigen::Vector2d(center + reach)}, *data_->kernel);
+    found.bounds.lower *= std::exp(gain.low[0]);
+    found.bounds.upper *= std::exp(gain.high[0]);
   }
   return found;
 }

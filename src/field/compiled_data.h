@@ -11,6 +11,7 @@
 #include "flat_depth.h"
 #include "lascaux/field/compiled_field.h"
 #include "ricci.h"
+#include "spline_table.h"
 
 /// @file
 /// What a CompiledField holds.
@@ -39,7 +40,8 @@ struct CompiledPart {
   std::uint32_t depth = 0;
   double z0 = 0, inv_depth_scale = 1;
   std::optional<DepthMap> map;
-  double most_steepness = 1;  ///< anywhere
+  std::optional<internal::SplineTable> table;  ///< of the map
+  double most_steepness = 1;                   ///< anywhere
 };
 
 /// Primitives in the order of their parts, chains, segments before points; parts parents first,
@@ -51,7 +53,7 @@ struct CompiledField::Data {
   std::vector<CompiledPart> parts;
   std::uint32_t depths = 1;
   internal::RicciExponent chain_exponent{1}, part_exponent{1};
-  std::optional<PlanarGain> gain;
+  std::optional<internal::SplineTable> gain;
   Eigen::AlignedBox3d bounds;
   Isa isa = Isa::kBaseline;
   const internal::BlockKernel* kernel = nullptr;

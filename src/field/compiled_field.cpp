@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "compiled_data.h"
 #include "segment_integral.h"
@@ -71,7 +72,7 @@ CompiledField::CompiledField(const Field& field, Isa isa) {
   data->isa = isa;
   data->kernel = &internal::KernelFor(isa);
   data->bounds = Bounds(field);
-  data->gain = field.gain;
+  if (field.gain) data->gain.emplace(*field.gain);
   data->chain_exponent = internal::RicciExponent(field.chain_exponent);
   data->part_exponent = internal::RicciExponent(field.part_exponent);
   std::vector<int> place(field.parts.size());
@@ -82,6 +83,7 @@ CompiledField::CompiledField(const Field& field, Isa isa) {
     compiled.z0 = part.z0;
     compiled.inv_depth_scale = 1 / part.depth_scale;
     compiled.map = part.depth;
+    if (part.depth) compiled.table.emplace(*part.depth);
     compiled.most_steepness = part.depth
                                   ? static_cast<double>(*std::max_element(
                                         part.depth->steepness.begin(), part.depth->steepness.end()))
@@ -105,7 +107,7 @@ CompiledField::CompiledField(const Field& field, Isa isa) {
       }
       data->chain_part.push_back(static_cast<std::uint32_t>(data->parts.size()));
     }
-    data->parts.push_back(compiled);
+    data->parts.push_back(std::move(compiled));
   }
   data_ = std::move(data);
 }

@@ -15,12 +15,6 @@ using internal::KernelSamples;
 using internal::KernelSegment;
 using internal::kTile;
 
-/// A part with a depth map that a block needs.
-struct Mapped {
-  const CompiledPart* part;
-  double origin_z;  ///< of the block, in the part's flat space
-};
-
 /// The primitives that a block needs, seen from its origin: differences are taken in double
 /// precision, so that what the vector code loses depends on the block's size and not on its place.
 class Program {
@@ -28,10 +22,10 @@ class Program {
   Program(const CompiledField::Data& data, const Eigen::Vector3d& origin, const ActiveSet& active);
 
   const internal::KernelProgram& kernel_program() const { return program_; }
-  const std::vector<Mapped>& mapped() const { return mapped_; }
 
  private:
-  void BeginPart(const CompiledField::Data& data, std::uint32_t part, double origin_z);
+  void BeginPart(const CompiledField::Data& data, std::uint32_t part,
+                 const Eigen::Vector3d& origin);
   void Add(const CompiledPrimitive& primitive, const Eigen::Vector3d& origin);
 
   std::vector<KernelSegment> segments_;
@@ -39,7 +33,8 @@ class Program {
   std::vector<KernelChain> chains_;
   std::vector<KernelPart> parts_;
   std::vector<std::uint32_t> part_at_depth_;
-  std::vector<Mapped> mapped_;
+  std::vector<internal::KernelMap> maps_;
+  Eigen::Vector3d flat_origin_ = Eigen::Vector3d::Zero();  ///< of the part that was begun last
   internal::KernelProgram program_{};
 };
 
@@ -49,13 +44,20 @@ internal::KernelExponent ForKernel(const internal::RicciExponent& exponent) {
   return {exponent.squarings(), static_cast<float>(exponent.n())};
 }
 
-void Program::BeginPart(const CompiledField::Data& data, std::uint32_t part, double origin_z) {
+void Program::BeginPart(const CompiledField::Data& data, std::uint32_t part,
+                        const Eigen::Vector3d& origin) {
   const CompiledPart& here = data.parts[part];
+  flat_origin_ = internal::Flatten(here, origin);
   const auto chains = static_cast<std::uint32_t>(chains_.size());
   const bool has_parent =
       here.depth > 0 && part_at_depth_[here.depth - 1] == static_cast<std::uint32_t>(here.parent);
-  const int map = here.map ? static_cast<int>(mapped_.size()) : -1;
-  if (here.map) mapped_.push_back({&here, origin_z});
+  const int map = here.map ? static_cast<int>(maps_.size()) : -1;
+  if (here.map) {
+    internal::KernelTable table = here.table->From(origin.head<2>());
+    table.shift = static_cast<float>(EvaluateDepth(*here.map, origin.head<2>()).middle);
+    maps_.push_back({table, static_cast<float>(origin.z() - static_cast<double>(table.shift)),
+                     static_cast<float>(flat_origin_.z() - here.z0)});
+  }
   parts_.push_back(
       {chains, chains, here.depth, has_parent, static_cast<float>(here.inv_depth_scale), map});
   part_at_depth_[here.depth] = part;
@@ -90,13 +92,11 @@ Program::Program(const CompiledField::Data& data, const Eigen::Vector3d& origin,
     : part_at_depth_(data.depths, kNone) {
   segments_.reserve(active.primitives.size());
   std::uint32_t part = kNone, chain = kNone;
-  Eigen::Vector3d flat_origin = origin;
   for (const std::uint32_t id : active.primitives) {
     const CompiledPrimitive& primitive = data.primitives[id];
     if (data.chain_part[primitive.chain] != part) {
       part = data.chain_part[primitive.chain];
-      flat_origin = internal::Flatten(data.parts[part], origin);
-      BeginPart(data, part, flat_origin.z());
+      BeginPart(data, part, origin);
     }
     if (primitive.chain != chain) {
       chain = primitive.chain;
@@ -105,7 +105,7 @@ Program::Program(const CompiledField::Data& data, const Eigen::Vector3d& origin,
       chains_.push_back({segments, segments, points, points});
       parts_.back().chains_end = static_cast<std::uint32_t>(chains_.size());
     }
-    Add(primitive, flat_origin);
+    Add(primitive, flat_origin_);
   }
   program_ = {segments_.data(),
               points_.data(),
@@ -114,7 +114,8 @@ Program::Program(const CompiledField::Data& data, const Eigen::Vector3d& origin,
               static_cast<std::uint32_t>(parts_.size()),
               ForKernel(data.chain_exponent),
               ForKernel(data.part_exponent),
-              nullptr};
+              maps_.data(),
+              data.gain ? data.gain->From(origin.head<2>()) : internal::KernelTable{}};
 }
 
 /// The points from `begin` on; a last tile is filled up with its last point, so that every point
@@ -131,35 +132,6 @@ int LoadTile(const PointBlock& block, std::size_t begin, internal::KernelPoints&
   return count;
 }
 
-/// The depths of `count` points from `begin` on in the flat space of a part. Blocks run along z
-/// first: the place is often the one before.
-void FillDepths(const Mapped& mapped, const PointBlock& points, std::size_t begin, int count,
-                internal::KernelDepths& depths) {
-  DepthSample here;
-  float x = 0, y = 0;
-  for (int i = 0; i < count; ++i) {
-    const std::size_t k = begin + static_cast<std::size_t>(i);
-    if (i == 0 || points.x[k] != x || points.y[k] != y) {
-      x = points.x[k];
-      y = points.y[k];
-      here = EvaluateDepth(*mapped.part->map,
-                           points.origin.head<2>() +
-                               Eigen::Vector2d(static_cast<double>(x), static_cast<double>(y)));
-    }
-    const double off = points.origin.z() + static_cast<double>(points.z[k]) - here.middle;
-    const double flat = mapped.part->z0 + off * here.steepness;
-    depths.z[i] = static_cast<float>(flat - mapped.origin_z);
-    depths.by_x[i] = static_cast<float>(off * here.steepness_gradient.x() -
-                                        here.steepness * here.middle_gradient.x());
-    depths.by_y[i] = static_cast<float>(off * here.steepness_gradient.y() -
-                                        here.steepness * here.middle_gradient.y());
-    depths.by_z[i] = static_cast<float>(here.steepness);
-  }
-  for (float* column : {depths.z, depths.by_x, depths.by_y, depths.by_z}) {
-    std::fill(column + count, column + kTile, column[count - 1]);
-  }
-}
-
 /// Runs `kernel` over all tiles and hands each result with its place to `store`.
 template <typename Kernel, typename Store>
 void ForTiles(const CompiledField::Data& data, const PointBlock& points, const Program& program,
@@ -172,56 +144,12 @@ void ForTiles(const CompiledField::Data& data, const PointBlock& points, const P
   KernelSamples* slots = on_heap.empty() ? in_place.data() : on_heap.data();
   internal::KernelPoints tile;
   KernelSamples result;
-  std::vector<internal::KernelDepths> depths(program.mapped().size());
-  internal::KernelProgram kernel_program = program.kernel_program();
-  kernel_program.depths = depths.data();
   for (std::size_t begin = 0; begin < points.x.size(); begin += kTile) {
     const int count = LoadTile(points, begin, tile);
-    for (std::size_t m = 0; m < depths.size(); ++m) {
-      FillDepths(program.mapped()[m], points, begin, count, depths[m]);
-    }
-    kernel(kernel_program, tile, slots, &result);
+    kernel(program.kernel_program(), tile, slots, &result);
     store(result, begin, count);
   }
 }
-
-/// True when the gain changes anything on the block.
-bool HasGain(const CompiledField::Data& data, const PointBlock& points) {
-  if (!data.gain || points.x.empty()) return false;
-  const auto [left, right] = std::minmax_element(points.x.begin(), points.x.end());
-  const auto [bottom, top] = std::minmax_element(points.y.begin(), points.y.end());
-  const Eigen::Vector2d low(static_cast<double>(*left), static_cast<double>(*bottom));
-  const Eigen::Vector2d high(static_cast<double>(*right), static_cast<double>(*top)),
-      origin = points.origin.head<2>();
-  const LogGainRange range =
-      RangeOf(*data.gain, {Eigen::Vector2d(origin + low), Eigen::Vector2d(origin + high)});
-  return range.lower < 0 || range.upper > 0;
-}
-
-/// The gain at point `i` of a block. Blocks run along z first: the place is often the one before.
-class GainAlong {
- public:
-  GainAlong(const PlanarGain& gain, const PointBlock& points) : gain_(gain), points_(points) {}
-
-  const LogGain& At(std::size_t i) {
-    const float x = points_.x[i], y = points_.y[i];
-    if (i == 0 || x != x_ || y != y_) {
-      last_ = EvaluateLogGain(gain_,
-                              points_.origin.head<2>() +
-                                  Eigen::Vector2d(static_cast<double>(x), static_cast<double>(y)));
-      last_.value = std::exp(last_.value);
-      x_ = x;
-      y_ = y;
-    }
-    return last_;
-  }
-
- private:
-  const PlanarGain& gain_;
-  const PointBlock& points_;
-  float x_ = 0, y_ = 0;
-  LogGain last_;
-};
 
 }  // namespace
 
@@ -233,9 +161,6 @@ void CompiledField::EvaluateValues(const PointBlock& points, const ActiveSet& ac
            [&](const KernelSamples& result, std::size_t begin, int count) {
              std::copy_n(result.value, count, values.data() + begin);
            });
-  if (!HasGain(*data_, points)) return;
-  GainAlong gain(*data_->gain, points);
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] *= static_cast<float>(gain.At(i).value);
 }
 
 void CompiledField::EvaluateSamples(const PointBlock& points, const ActiveSet& active,
@@ -249,19 +174,6 @@ void CompiledField::EvaluateSamples(const PointBlock& points, const ActiveSet& a
              std::copy_n(result.y, count, samples.gradient_y.data() + begin);
              std::copy_n(result.z, count, samples.gradient_z.data() + begin);
            });
-  if (!HasGain(*data_, points)) return;
-  GainAlong gain(*data_->gain, points);
-  for (std::size_t i = 0; i < samples.value.size(); ++i) {
-    const LogGain& here = gain.At(i);
-    const auto factor = static_cast<float>(here.value);
-    const float value = samples.value[i];
-    samples.value[i] = factor * value;
-    samples.gradient_x[i] =
-        factor * (samples.gradient_x[i] + value * static_cast<float>(here.gradient.x()));
-    samples.gradient_y[i] =
-        factor * (samples.gradient_y[i] + value * static_cast<float>(here.gradient.y()));
-    samples.gradient_z[i] *= factor;
-  }
 }
 
 void SignedDistances(const SampleBlock& samples, float limit, std::span<float> distances, Isa isa) {

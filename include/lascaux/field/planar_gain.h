@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 #include <vector>
 
 /// @file
@@ -37,12 +36,5 @@ struct LogGain {
 
 /// Twice continuously differentiable; about 20 ns.
 LogGain EvaluateLogGain(const PlanarGain& gain, const Eigen::Vector2d& place);
-
-/// Least and greatest log gain on a box, by the convex hull of the coefficients: rigorous, and not
-/// tight. Linear in the coefficients that the box covers.
-struct LogGainRange {
-  double lower = 0, upper = 0;
-};
-LogGainRange RangeOf(const PlanarGain& gain, const Eigen::AlignedBox2d& box);
 
 }  // namespace lascaux

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "block_kernel.h"
+#include "lascaux/field/depth_map.h"
+#include "lascaux/field/planar_gain.h"
+
+/// @file
+/// The tables over the plane as the vector code takes them.
+
+namespace lascaux::internal {
+
+/// Coefficients of one or two splines, with what is beyond the table around them.
+class SplineTable {
+ public:
+  explicit SplineTable(const DepthMap& map);
+  explicit SplineTable(const PlanarGain& gain);
+
+  /// The table seen from a place. Points into this one.
+  KernelTable From(const Eigen::Vector2d& origin) const;
+
+  /// Least and greatest coefficients of each spline that matter in a box: the convex hull of the
+  /// values.
+  struct Extent {
+    float low[2], high[2];
+  };
+  Extent ExtentOn(const Eigen::AlignedBox2d& box, const BlockKernel& kernel) const;
+
+ private:
+  struct Shape {
+    int channels, columns, rows;
+  };
+  template <typename At>
+  void Fill(const Shape& shape, const At& at);
+  Eigen::Vector2d InCells(const Eigen::Vector2d& place) const;
+
+  Eigen::Vector2d origin_;
+  double cell_;
+  Shape shape_{};
+  int stride_ = 0;
+  std::vector<float> coefficients_;
+};
+
+}  // namespace lascaux::internal
