@@ -130,6 +130,50 @@ TEST(Limbs, ALoneEarIsOneOfAPair) {
                           {{113, 45}, PartRole::kForeground}});
 }
 
+/// The calf with far legs that are open: one begins 5 % of the size below the belly, one on it, and
+/// neither foot reaches the near leg.
+std::string WithOpenFarLegs(const std::string& far_legs) {
+  std::string calf = kCalf;
+  const std::size_t front = calf.find("<path d=\"M158,190"), end = calf.find("<circle");
+  return calf.replace(front, end - front, far_legs);
+}
+
+TEST(Limbs, FarLegsMayBeOpenLines) {
+  ExpectStructure(
+      WithOpenFarLegs(R"(<path d="M184,206C184,226 186,250 184,268C182,276 166,278 156,272"/>
+                                     <path d="M262,192C262,220 256,240 258,268C262,276 276,276 282,268"/>)"),
+      {{{200, 140}, PartRole::kBody},
+       {{130, 250}, PartRole::kForeground},
+       {{174, 262}, PartRole::kBackground, Vector2d(130, 250)},
+       {{316, 260}, PartRole::kForeground},
+       {{268, 262}, PartRole::kBackground, Vector2d(316, 260)}});
+}
+
+TEST(Limbs, LinesThatJustComeDownAreNoLegs) {
+  // A far leg of one line, and a tail beside the rump.
+  const auto read = ReadDrawing(WithOpenFarLegs(R"(<path d="M184,192C184,226 186,250 184,268"/>
+      <path d="M328,110C345,120 348,150 342,180C338,200 340,240 336,262"/>)"));
+  ASSERT_TRUE(read);
+  EXPECT_FALSE(PartAt(*read, {170, 250}));
+  EXPECT_FALSE(PartAt(*read, {336, 200}));
+}
+
+TEST(Limbs, TwoCurvesThatTheContourJoinsAreOneLimb) {
+  // The shoulder's curve ends far above the front one and points back: as a pair they are dear.
+  const auto read = ReadDrawing(R"(
+      <path d="M311 508L300 560C298 585 325 595 345 580L388 493L433 411C600 440 700 420 774 380
+               C800 450 810 520 830 590C845 610 870 605 872 590C890 520 910 450 915 360
+               C920 200 800 50 600 52C400 60 250 140 195 225C170 320 120 370 60 400L80 490
+               C160 515 250 505 311 508L310 400"/>
+      <path d="M433 411C470 350 440 290 418 260"/>)");
+  ASSERT_TRUE(read);
+  const auto leg = PartAt(*read, {330, 560});
+  ASSERT_TRUE(leg);
+  const Part& part = read->parts.parts[static_cast<std::size_t>(*leg)];
+  ASSERT_TRUE(part.root);
+  EXPECT_STREQ(Name(part.root->evidence), "two-curves");
+}
+
 TEST(Limbs, FarSidesShowWhereNearLimbsAre) {
   ExpectStructure(kGoat, {{{200, 140}, PartRole::kBody},
                           {{130, 250}, PartRole::kForeground},

@@ -89,7 +89,7 @@ struct BuildPlanarMapOptions {
                        ///< up to snap_max
   double snap_max = 1.5e-2;
   double bridge = 3e-2;              ///< longest gap that is closed, with a warning
-  double bridge_max = 0.12;          ///< the same where the lines don't enclose an animal otherwise
+  double bridge_max = 0.08;          ///< the same where the lines don't enclose an animal otherwise
   std::vector<int> ignored_strokes;  ///< indices in Sketch::strokes of lines to leave out
 
   bool operator==(const BuildPlanarMapOptions&) const = default;

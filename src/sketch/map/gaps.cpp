@@ -11,6 +11,7 @@
 #include "sketch/map/attach.h"
 #include "sketch/map/closures.h"
 #include "sketch/map/enclosure.h"
+#include "sketch/map/open_legs.h"
 #include "sketch/map/outer_walk.h"
 #include "sketch/map/polyline.h"
 #include "sketch/map/slit.h"
@@ -221,6 +222,8 @@ Outcome<PlanarMap> CloseGaps(PlanarMap map, std::vector<ArrangementLine> lines,
     if (!redrawn) return Result::Failure(std::move(log));
     work.map = std::move(*redrawn);
   }
+  if (!Draw(work, FindOpenLegs(work.map, options.bridge_max * size)).MoveInto(log))
+    return Result::Failure(std::move(log));
   if (!Draw(work, FindAttachments(work.map)).MoveInto(log)) return Result::Failure(std::move(log));
   if (LargestFace(work.map) < least) {
     log.push_back(OpenOutline(work.map, work.lines));

@@ -39,6 +39,9 @@ constexpr double kMostShare = 0.25;
 constexpr double kLeastTip = 0.8, kMostTip = 5.0;
 /// An ear is at most this share of the face, and points up (sine of the angle).
 constexpr double kMostEar = 0.08, kUpright = 0.5;
+/// A curve that leaves the contour this near to the second closed end, in widths of the root, is
+/// the other flank.
+constexpr double kSamePlace = 0.25;
 /// Steps of the search along the contour, share of the diagonal.
 constexpr double kStep = 2.5e-3;
 /// Turn of the contour that counts as a corner.
@@ -198,6 +201,21 @@ Flank OtherFlank(const Walker& walker, double place, const SuggestiveCurve& curv
   return {mirrored, OutlineKind::kCompletion};
 }
 
+/// Another single curve whose closed end is that place, at most a quarter of the limb's width away:
+/// the pairing left both alone, but the contour joins them.
+std::optional<int> CurveAt(const FaceView& face, const Pairing& pairing, double arc, double width) {
+  std::optional<int> best;
+  double nearest = kSamePlace * width;
+  for (const int i : pairing.single) {
+    const double other = face.curves[static_cast<std::size_t>(i)].arc;
+    const double apart = std::min(face.line.Ahead(arc, other), face.line.Ahead(other, arc));
+    if (apart >= nearest) continue;
+    nearest = apart;
+    best = i;
+  }
+  return best;
+}
+
 std::optional<LimbCut> LimbTowards(const FaceView& face, const Pairing& pairing,
                                    const SuggestiveCurve& curve, int sign) {
   const double diagonal = face.map.diagonal, step = kStep * diagonal, start = curve.arc;
@@ -210,17 +228,26 @@ std::optional<LimbCut> LimbTowards(const FaceView& face, const Pairing& pairing,
   if (!IsLegOrEar(face, ProtrusionOf(walker, place, step), width)) return std::nullopt;
   if (width < kLeastWidth * diagonal || width > kMostWidth * diagonal || !IsInsideFace(face, a, b))
     return std::nullopt;
-  Flank flank = OtherFlank(walker, place, curve);
+  double end = face.line.Wrap(start + sign * place);
+  const auto partner = CurveAt(face, pairing, end, width);
+  Flank flank;
+  if (partner) {
+    const SuggestiveCurve& other = face.curves[static_cast<std::size_t>(*partner)];
+    end = other.arc;
+    flank = {other.points, OutlineKind::kDrawn};
+  } else {
+    flank = OtherFlank(walker, place, curve);
+  }
   const Vector2d tip = ArrivalDirection(flank.points, TangentReach(face.map));
   const double energy =
       Complete({curve.points.back(), curve.tip}, {flank.points.back(), tip}).energy;
   LimbCut limb{start,
-               face.line.Wrap(start + sign * place),
+               end,
                curve.points,
                std::move(flank.points),
                OutlineKind::kDrawn,
                flank.kind,
-               LimbEvidence::kOneCurve,
+               partner ? LimbEvidence::kTwoCurves : LimbEvidence::kOneCurve,
                energy};
   if (sign < 0) {
     std::swap(limb.from, limb.to);
@@ -255,9 +282,17 @@ std::vector<LimbCut> OneCurveLimbs(const FaceView& face, const Pairing& pairing)
   Pairing known = pairing;
   std::vector<LimbCut> found;
   for (const int i : order) {
-    if (const auto limb = LimbOf(face, known, face.curves[static_cast<std::size_t>(i)])) {
-      found.push_back(*limb);
-      known.limbs.push_back(*limb);
+    if (std::find(known.single.begin(), known.single.end(), i) == known.single.end()) continue;
+    std::erase(known.single, i);
+    const auto limb = LimbOf(face, known, face.curves[static_cast<std::size_t>(i)]);
+    if (!limb) continue;
+    found.push_back(*limb);
+    known.limbs.push_back(*limb);
+    if (limb->evidence == LimbEvidence::kTwoCurves) {
+      std::erase_if(known.single, [&](int k) {
+        const double arc = face.curves[static_cast<std::size_t>(k)].arc;
+        return arc == limb->from || arc == limb->to;
+      });
     }
   }
   return found;
