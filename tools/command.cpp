@@ -97,7 +97,7 @@ LastStage LastStageFor(Verb verb, const std::vector<OutputTarget>& targets) {
 
 bool NeedsOpenVdb(const std::vector<OutputTarget>& targets) {
   return std::any_of(targets.begin(), targets.end(), [](const OutputTarget& target) {
-    return target.kind == OutputKind::kVdb || IsPicture(target.kind);
+    return IsPicture(target.kind);
   });
 }
 

@@ -6,9 +6,9 @@
 
 #include "curves_file.h"
 #include "grid.h"
-#include "grid_plugin.h"
 #include "lascaux/io/output_file.h"
 #include "lascaux/io/write_3mf.h"
+#include "lascaux/io/write_band_vdb.h"
 #include "lascaux/io/write_glb.h"
 #include "lascaux/io/write_obj.h"
 #include "lascaux/io/write_ply.h"
@@ -23,12 +23,6 @@ namespace lascaux {
 namespace {
 
 namespace fs = std::filesystem;
-
-Diagnostics WriteBand(const std::filesystem::path& path, const NarrowBand& band,
-                      const WriteVdbOptions& options, const Execution& execution) {
-  const auto& plugin = LoadGridPlugin();
-  return plugin ? (*plugin)->write_vdb(path, band, options, execution) : plugin.diagnostics();
-}
 
 /// The .vdb among the targets as it is called from the folder of `from`; empty when there is none.
 std::string VolumeBeside(const std::vector<OutputTarget>& targets, const fs::path& from) {
@@ -51,8 +45,8 @@ struct Writer {
   Diagnostics Write(const OutputTarget& target, const fs::path& path) const {
     switch (target.kind) {
       case OutputKind::kVdb:
-        return WriteBand(path, model.grid->surface,
-                         {.unit = options.unit, .metadata = options.metadata}, execution);
+        return WriteBandVdb(path, model.grid->surface,
+                            {.unit = options.unit, .metadata = options.metadata});
       case OutputKind::kPng:
       case OutputKind::kExr:
         return WritePicture(path, *model.preview, target.kind);

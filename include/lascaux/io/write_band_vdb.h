@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+
+#include "lascaux/base/diagnostic.h"
+#include "lascaux/io/write_vdb_options.h"
+#include "lascaux/volume/narrow_band.h"
+
+/// @file
+/// The level set as an OpenVDB file, without OpenVDB: to load the library takes longer than to make
+/// and to write the level set of most models.
+
+namespace lascaux {
+
+/// Writes a level set in millimetres as the grid "surface": what WriteVdb() (write_vdb.h) writes of
+/// ToLevelSet(band), by the same rules and with the same errors; a test has OpenVDB read both. Only
+/// the index for delayed loading is left out, which OpenVDB does without.
+///
+/// The same band and options give the same bytes. Holds the file's bytes while it works; about 1
+/// GB/s.
+Diagnostics WriteBandVdb(const std::filesystem::path& path, const NarrowBand& band,
+                         const WriteVdbOptions& options = {});
+
+}  // namespace lascaux

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "lascaux/base/diagnostic.h"
+#include "lascaux/io/units.h"
+
+/// @file
+/// Rules of OpenVDB's files that don't need OpenVDB.
+
+namespace lascaux {
+
+/// The smallest float that is at least 3 voxels when divided by the voxel size in double precision:
+/// the half width that tools::checkLevelSet asks for.
+float VdbBackground(double voxel_size);
+
+/// Replaces a file's random id by one in the same form that is hashed from everything else.
+void SetVdbId(std::string& bytes);
+
+/// "voxel-too-small" when OpenVDB would refuse voxels of this size in millimetres.
+Diagnostics CheckVdbVoxelSize(const std::filesystem::path& path, double voxel_size, Unit unit);
+
+}  // namespace lascaux
