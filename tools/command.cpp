@@ -96,9 +96,8 @@ LastStage LastStageFor(Verb verb, const std::vector<OutputTarget>& targets) {
 }
 
 bool NeedsOpenVdb(const std::vector<OutputTarget>& targets) {
-  return std::any_of(targets.begin(), targets.end(), [](const OutputTarget& target) {
-    return IsPicture(target.kind);
-  });
+  return std::any_of(targets.begin(), targets.end(),
+                     [](const OutputTarget& target) { return IsPicture(target.kind); });
 }
 
 /// The stages' options, with the file of --overrides if there is one.
@@ -131,10 +130,13 @@ Model Make(const Job& job, const CommandOptions& options, const Execution& execu
     return std::any_of(job.targets.begin(), job.targets.end(),
                        [&is](const auto& target) { return is(target.kind); });
   };
+  const auto is_report = [](OutputKind kind) { return kind == OutputKind::kReport; };
+  // The summary and the report have the figures, the parse picture the worst place.
+  pipeline->compare = options.verbosity != Verbosity::kQuiet || any(is_report) ||
+                      any([](OutputKind kind) { return kind == OutputKind::kParsePicture; });
   pipeline->details = any(HoldsDetails);
   pipeline->print_warnings = any(IsPrinted);
-  pipeline->print_facts =
-      pipeline->print_warnings || any([](OutputKind kind) { return kind == OutputKind::kReport; });
+  pipeline->print_facts = pipeline->print_warnings || any(is_report);
   model = RunPipeline(*bytes, *pipeline, execution);
   model.file = job.sketch;
   model.timings.stages.front().second += reading.stages.front().second;

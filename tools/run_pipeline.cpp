@@ -31,8 +31,7 @@ class Run {
     const bool understood = Understand() && ExtractSkeleton() && Fit();
     if (!understood || options_.last == LastStage::kCreature) return;
     if (!MakeVolume() || !MakeMesh() || !Measure()) return;
-    if (options_.details || options_.print_facts) AddDetails();
-    if (options_.print_facts) MeasurePrint();
+    if (options_.print_warnings) WarnOfPrint();
     if (options_.last == LastStage::kPreview) RenderPreview();
   }
 
@@ -138,9 +137,10 @@ class Run {
     return true;
   }
 
+  /// Checks the mesh; beside that, all that is measured of it.
   bool Measure() {
     execution_.Report("checking the mesh", 0);
-    Timings check, compare;
+    Timings check, others;
     RunTogether(
         execution_,
         [&] {
@@ -148,28 +148,34 @@ class Run {
           model_.facts = CheckMesh(*model_.mesh, LatticeOf(model_.grid->surface), execution_);
         },
         [&] {
-          const Stopwatch watch(compare, "fidelity");
-          model_.fidelity = MeasureFidelity(*model_.mesh, BuiltOutlines(model_), execution_);
+          if (options_.compare) Compare(others);
+          if (options_.details || options_.print_facts) AddDetails(others);
+          if (options_.print_facts) MeasurePrint(others);
         });
-    for (const Timings& timings : {check, compare})
-      model_.timings.stages.push_back(timings.stages.front());
+    for (const Timings& timings : {check, others})
+      for (const auto& stage : timings.stages) model_.timings.stages.push_back(stage);
     if (!Continue()) return false;
     const Diagnostics defects = MeshDefects(*model_.facts);
     model_.diagnostics.insert(model_.diagnostics.end(), defects.begin(), defects.end());
     return defects.empty();
   }
 
-  void AddDetails() {
-    const Stopwatch watch(model_.timings, "details");
-    execution_.Report("telling the parts apart", 0);
+  void Compare(Timings& timings) {
+    const Stopwatch watch(timings, "fidelity");
+    model_.fidelity = MeasureFidelity(*model_.mesh, BuiltOutlines(model_), execution_);
+  }
+
+  void AddDetails(Timings& timings) {
+    const Stopwatch watch(timings, "details");
     model_.details = MeshDetailsOf(model_, execution_);
   }
 
-  void MeasurePrint() {
-    const Stopwatch watch(model_.timings, "walls");
-    execution_.Report("measuring the walls", 0);
+  void MeasurePrint(Timings& timings) {
+    const Stopwatch watch(timings, "walls");
     model_.print = MeasureForPrint(*model_.mesh, *model_.details, 1, execution_);
-    if (!options_.print_warnings) return;
+  }
+
+  void WarnOfPrint() {
     for (Diagnostic& warning : PrintWarnings(*model_.print))
       model_.diagnostics.push_back(std::move(warning));
   }

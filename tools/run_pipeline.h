@@ -53,6 +53,7 @@ struct PipelineOptions {
   std::optional<double> voxel_size;  ///< mm; decides instead of the resolution
   PreviewOptions preview;
   LastStage last = LastStage::kMesh;
+  bool compare = true;          ///< the mesh with the drawing
   bool details = false;         ///< normals and parts of the mesh, for the formats that hold them
   bool print_facts = false;     ///< walls and stability, for the report
   bool print_warnings = false;  ///< and warnings of what does not print well
