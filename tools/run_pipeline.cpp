@@ -132,7 +132,8 @@ class Run {
   bool MakeMesh() {
     const Stopwatch watch(model_.timings, "mesh");
     execution_.Report("extracting the mesh", 0);
-    if (!Keep(ExtractMesh(model_.grid->surface, execution_), model_.mesh)) return false;
+    if (!Keep(ExtractMesh(model_.grid->surface, *model_.field, execution_), model_.mesh))
+      return false;
     StandOnGround(model_);
     return true;
   }

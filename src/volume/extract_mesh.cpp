@@ -11,6 +11,7 @@
 #include "volume/arena.h"
 #include "volume/envelope.h"
 #include "volume/finish_band.h"
+#include "volume/onto_surface.h"
 #include "volume/shells.h"
 #include "volume/surface_cells.h"
 
@@ -22,6 +23,9 @@ using Eigen::Vector3f;
 // By how much of a voxel a quadrilateral stays within reach of its edge before its vertices are
 // rounded to their places in the model.
 constexpr double kEnvelopeMargin = 1e-3;
+
+// How near to its cell's sides a vertex is moved, in voxels.
+constexpr float kLeastInCell = 1e-3F;
 
 constexpr std::array<std::size_t, 3> kStride = {64, 8, 1};
 
@@ -95,15 +99,22 @@ class CornerValues {
 /// The mesh while it is made: vertices also as places in their cells, from 0 to 1.
 class Extraction {
  public:
-  explicit Extraction(const NarrowBand& band)
-      : band_(band), cells_(FindSurfaceCells(band)), numbering_(NumberParts(cells_)) {}
+  /// With a field, its surface is where the vertices go.
+  Extraction(const NarrowBand& band, const CompiledField* field)
+      : band_(band),
+        field_(field),
+        cells_(FindSurfaceCells(band)),
+        numbering_(NumberParts(cells_)) {}
 
   Mesh Run() {
     const std::size_t vertices = numbering_.vertex.back(), quads = numbering_.quad.back();
     mesh_.vertices.resize(vertices);
     mesh_.triangles.resize(2 * quads);
     in_cell_.resize(vertices);
-    tbb::parallel_for(std::size_t{0}, band_.size(), [this](std::size_t b) { PlaceVertices(b); });
+    tbb::parallel_for(std::size_t{0}, band_.size(), [this](std::size_t b) {
+      PlaceVertices(b);
+      if (field_ != nullptr) RefineVertices(b);
+    });
     tbb::parallel_for(std::size_t{0}, band_.size(), [this](std::size_t b) { ConnectVertices(b); });
     return std::move(mesh_);
   }
@@ -131,17 +142,41 @@ class Extraction {
           count[piece] += 1;
         }
       }
-      const Eigen::Vector3i in_block(static_cast<int>(cell / 64), static_cast<int>(cell / 8 % 8),
-                                     static_cast<int>(cell % 8));
-      const Eigen::Vector3d lowest = (band_.blocks[block] + in_block).cast<double>();
-      for (std::size_t p = 0; p < pieces.count; ++p) {
-        const std::size_t vertex = numbering_.vertex[number] + p;
-        in_cell_[vertex] = sum[p] / count[p];
-        mesh_.vertices[vertex] =
-            (band_.origin + band_.voxel_size * (lowest + in_cell_[vertex].cast<double>()))
-                .cast<float>();
-      }
+      for (std::size_t p = 0; p < pieces.count; ++p)
+        SetVertex(numbering_.vertex[number] + p, block, InBlock(cell), sum[p] / count[p]);
     });
+  }
+
+  /// Moves vertices that are alone in their cells onto the field's surface, within their cells.
+  void RefineVertices(std::size_t block) {
+    BlockPlaces places;
+    std::vector<std::uint32_t> which;
+    std::vector<Eigen::Vector3i> cells;
+    cells_.ForCells(block, [&](std::size_t cell, std::size_t number) {
+      if (cells_.Pieces(number).count != 1) return;
+      which.push_back(numbering_.vertex[number]);
+      cells.push_back(InBlock(cell));
+      places.push_back(cells.back().cast<float>() + in_cell_[which.back()]);
+    });
+    MoveOntoSurface(*field_, band_, block, places);
+    for (std::size_t i = 0; i < which.size(); ++i) {
+      const Vector3f in_cell = places[i] - cells[i].cast<float>();
+      if (in_cell.minCoeff() < kLeastInCell || in_cell.maxCoeff() > 1 - kLeastInCell) continue;
+      SetVertex(which[i], block, cells[i], in_cell);
+    }
+  }
+
+  static Eigen::Vector3i InBlock(std::size_t cell) {
+    return {static_cast<int>(cell / 64), static_cast<int>(cell / 8 % 8),
+            static_cast<int>(cell % 8)};
+  }
+
+  void SetVertex(std::size_t vertex, std::size_t block, const Eigen::Vector3i& cell,
+                 const Vector3f& in_cell) {
+    const Eigen::Vector3d lowest = (band_.blocks[block] + cell).cast<double>();
+    in_cell_[vertex] = in_cell;
+    mesh_.vertices[vertex] =
+        (band_.origin + band_.voxel_size * (lowest + in_cell.cast<double>())).cast<float>();
   }
 
   void ConnectVertices(std::size_t block) {
@@ -216,6 +251,7 @@ class Extraction {
   }
 
   const NarrowBand& band_;
+  const CompiledField* field_;
   SurfaceCells cells_;
   Numbering numbering_;
   Mesh mesh_;
@@ -224,7 +260,10 @@ class Extraction {
 
 }  // namespace
 
-Outcome<Mesh> ExtractMesh(const NarrowBand& band, const Execution& execution) {
+namespace {
+
+Outcome<Mesh> Extract(const NarrowBand& band, const CompiledField* field,
+                      const Execution& execution) {
   using Result = Outcome<Mesh>;
   const auto cancelled = [] {
     return Error(FailureKind::kInterrupted, "cancelled", "the run was stopped");
@@ -232,7 +271,7 @@ Outcome<Mesh> ExtractMesh(const NarrowBand& band, const Execution& execution) {
   if (execution.IsCancelled()) return Result::Failure(cancelled());
   try {
     std::optional<Result> result;
-    RunInArena(execution, [&] { result = KeepLargestShell(Extraction(band).Run()); });
+    RunInArena(execution, [&] { result = KeepLargestShell(Extraction(band, field).Run()); });
     if (execution.IsCancelled()) return Result::Failure(cancelled());
     return std::move(*result);
   } catch (const std::bad_alloc&) {
@@ -241,6 +280,17 @@ Outcome<Mesh> ExtractMesh(const NarrowBand& band, const Execution& execution) {
         fmt::format("a mesh of {} active voxels does not fit in memory: ask for larger voxels",
                     CountActive(band))));
   }
+}
+
+}  // namespace
+
+Outcome<Mesh> ExtractMesh(const NarrowBand& band, const Execution& execution) {
+  return Extract(band, nullptr, execution);
+}
+
+Outcome<Mesh> ExtractMesh(const NarrowBand& band, const Field& field, const Execution& execution) {
+  const CompiledField compiled(field);
+  return Extract(band, &compiled, execution);
 }
 
 }  // namespace lascaux

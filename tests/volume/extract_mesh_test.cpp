@@ -71,6 +71,30 @@ TEST(ExtractMesh, RandomFieldsArePrintable) {
   }
 }
 
+TEST(ExtractMesh, VerticesAreOnTheFieldsSurface) {
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    const Field field = seed == 0 ? AnimalField() : RandomField(seed);
+    const double h = 0.05;
+    const auto band = RasteriseBand(field, {h});
+    ASSERT_TRUE(band.ok());
+    const auto mean = ExtractMesh(*band), mesh = ExtractMesh(*band, field);
+    ASSERT_TRUE(mean.ok() && mesh.ok());
+    EXPECT_EQ(Defects(*mesh), "") << "seed " << seed;
+    ASSERT_EQ(mesh->vertices.size(), mean->vertices.size());
+    std::vector<double> distances;
+    for (std::size_t i = 0; i < mesh->vertices.size(); ++i) {
+      // Within the cell: by less than its diagonal.
+      ASSERT_LT((mesh->vertices[i] - mean->vertices[i]).norm(), 1.8 * h);
+      if (i % 16 != 0) continue;
+      const FieldSample sample = Evaluate(field, mesh->vertices[i].cast<double>());
+      distances.push_back(std::abs(SignedDistance(sample)) / h);
+    }
+    std::sort(distances.begin(), distances.end());
+    // Where unblended parts meet is a crease, on which no vertex is.
+    EXPECT_LT(distances[distances.size() * (seed == 0 ? 99 : 95) / 100], 0.02) << "seed " << seed;
+  }
+}
+
 /// The surface by OpenVDB, its largest shell.
 Mesh ByOpenVdb(const openvdb::FloatGrid& grid) {
   std::vector<openvdb::Vec3s> points;
