@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -182,7 +183,9 @@ Samples SampleOutlines(const Field& field, const DrawnOutline& drawn, double dia
        UnionOutline(drawn.parts, drawn.graph, kSpacing * diagonal / drawn.frame.scale)) {
     const std::size_t n = run.size();
     std::vector<double> radii(n), arcs(n, 0);
-    for (std::size_t k = 0; k < n; ++k) radii[k] = LocalRadius(field, drawn.frame.ToModel(run[k]));
+    tbb::parallel_for(std::size_t{0}, n, [&](std::size_t k) {
+      radii[k] = LocalRadius(field, drawn.frame.ToModel(run[k]));
+    });
     for (std::size_t k = 1; k < n; ++k)
       arcs[k] = arcs[k - 1] + drawn.frame.scale * (run[k] - run[k - 1]).norm();
     const bool closed = (run.front() - run.back()).norm() < kSpacing * diagonal / drawn.frame.scale;
@@ -246,6 +249,26 @@ void Solve(std::vector<Sample>& samples) {
   }
 }
 
+constexpr int kRowsATask = 16;
+
+/// Adds a sample's source to some rows of the table.
+void AddSource(const Sample& s, int first_row, int end_row, PlanarGain& gain) {
+  const Vector2d center = (s.place - gain.origin) / gain.cell;
+  const double fade = s.fade / gain.cell;
+  const int last_row = std::min(end_row - 1, static_cast<int>(center.y() + fade));
+  for (int row = std::max(first_row, static_cast<int>(center.y() - fade)); row <= last_row; ++row) {
+    const double across = (center.y() - row) * (center.y() - row);
+    const double half = std::sqrt(std::max(fade * fade - across, 0.0));
+    const int last = std::min(gain.columns - 1, static_cast<int>(center.x() + half));
+    float* coefficients = gain.coefficients.data() + Index(row) * Index(gain.columns);
+    for (int column = std::max(0, static_cast<int>(center.x() - half)); column <= last; ++column) {
+      const double along = (center.x() - column) * (center.x() - column);
+      coefficients[column] +=
+          static_cast<float>(s.source * Kernel(s, gain.cell * gain.cell * (along + across)));
+    }
+  }
+}
+
 PlanarGain TableOf(const std::vector<Sample>& samples, double cell) {
   Eigen::AlignedBox2d box;
   for (const Sample& s : samples) {
@@ -258,22 +281,32 @@ PlanarGain TableOf(const std::vector<Sample>& samples, double cell) {
   gain.columns = static_cast<int>(std::ceil(box.sizes().x() / cell)) + 1;
   gain.rows = static_cast<int>(std::ceil(box.sizes().y() / cell)) + 1;
   gain.coefficients.assign(Index(gain.columns) * Index(gain.rows), 0.0f);
-  for (const Sample& s : samples) {
-    const Vector2d reach = Vector2d::Constant(s.fade);
-    const Vector2d low = (s.place - reach - gain.origin) / cell,
-                   high = (s.place + reach - gain.origin) / cell;
-    const int last_row = std::min(gain.rows - 1, static_cast<int>(high.y()));
-    const int last_column = std::min(gain.columns - 1, static_cast<int>(high.x()));
-    for (int row = std::max(0, static_cast<int>(low.y())); row <= last_row; ++row) {
-      float* coefficients = gain.coefficients.data() + Index(row) * Index(gain.columns);
-      for (int column = std::max(0, static_cast<int>(low.x())); column <= last_column; ++column) {
-        const Vector2d place = gain.origin + cell * Vector2d(column, row);
-        coefficients[column] +=
-            static_cast<float>(s.source * Kernel(s, (place - s.place).squaredNorm()));
-      }
-    }
-  }
+  tbb::parallel_for(0, (gain.rows + kRowsATask - 1) / kRowsATask, [&](int task) {
+    const int first = kRowsATask * task;
+    for (const Sample& s : samples)
+      AddSource(s, first, std::min(gain.rows, first + kRowsATask), gain);
+  });
   return gain;
+}
+
+std::optional<PlanarGain> GainOf(const Field& field, const DrawnOutline& drawn, double diagonal) {
+  Samples samples = SampleOutlines(field, drawn, diagonal);
+  if (samples.all.empty()) return field.gain;
+  const CompiledField compiled(field);
+  const Depths depths(field);
+  const std::size_t groups = (samples.all.size() + kLines - 1) / kLines;
+  tbb::parallel_for(std::size_t{0}, groups, [&](std::size_t g) {
+    const std::size_t first = g * kLines, count = std::min(kLines, samples.all.size() - first);
+    const std::span<Sample> group = std::span(samples.all).subspan(first, count);
+    const std::array<double, kLines> greatest = GreatestAlongZ(compiled, group, depths);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (greatest[i] <= 0) continue;
+      const double log_gain = std::clamp(-std::log(greatest[i]), -kMostLogGain, kMostLogGain);
+      group[i].wanted = samples.trust[first + i] * log_gain;
+    }
+  });
+  Solve(samples.all);
+  return TableOf(samples.all, kCell * diagonal);
 }
 
 }  // namespace
@@ -281,27 +314,8 @@ PlanarGain TableOf(const std::vector<Sample>& samples, double cell) {
 Field NormaliseOutline(Field field, const DrawnOutline& drawn, const Execution& execution) {
   const double diagonal = drawn.frame.scale * BuiltBox(drawn.parts, drawn.graph).diagonal().norm();
   if (!(diagonal > 0)) return field;
-  Samples samples = SampleOutlines(field, drawn, diagonal);
-  if (samples.all.empty()) return field;
-
-  const CompiledField compiled(field);
-  const Depths depths(field);
   tbb::task_arena arena(execution.threads > 0 ? execution.threads : tbb::task_arena::automatic);
-  arena.execute([&] {
-    const std::size_t groups = (samples.all.size() + kLines - 1) / kLines;
-    tbb::parallel_for(std::size_t{0}, groups, [&](std::size_t g) {
-      const std::size_t first = g * kLines, count = std::min(kLines, samples.all.size() - first);
-      const std::span<Sample> group = std::span(samples.all).subspan(first, count);
-      const std::array<double, kLines> greatest = GreatestAlongZ(compiled, group, depths);
-      for (std::size_t i = 0; i < count; ++i) {
-        if (greatest[i] <= 0) continue;
-        const double log_gain = std::clamp(-std::log(greatest[i]), -kMostLogGain, kMostLogGain);
-        group[i].wanted = samples.trust[first + i] * log_gain;
-      }
-    });
-  });
-  Solve(samples.all);
-  field.gain = TableOf(samples.all, kCell * diagonal);
+  arena.execute([&] { field.gain = GainOf(field, drawn, diagonal); });
   return field;
 }
 

@@ -83,11 +83,15 @@ class CrossingMeter {
 };
 
 VoxelMask InsideOf(const BandSource& source, const Block& block, const BlockOffsets& offsets) {
+  VoxelMask inside{};
+  if (block.inside) {
+    if (*block.inside) inside.fill(~std::uint64_t{0});
+    return inside;
+  }
   std::array<float, kBlockVoxels> values;
   source.field.EvaluateValues(
       {BlockCenter(block, source.voxel_size), offsets.x, offsets.y, offsets.z}, block.active,
       values);
-  VoxelMask inside{};
   for (std::size_t i = 0; i < kBlockVoxels; ++i)
     inside[i / 64] |= static_cast<std::uint64_t>(values[i] > static_cast<float>(kIsoValue))
                       << i % 64;

@@ -37,7 +37,7 @@ class Descent {
       found_.inside.push_back(cube);
     } else if (static_cast<double>(found.bounds.upper) >= kIsoValue) {
       if (cube.side == kBlockSide) {
-        found_.blocks.push_back({cube.origin, found.active});
+        found_.blocks.push_back({cube.origin, found.active, SideOf(cube, found.active)});
       } else {
         const int side = cube.side / 2;
         for (int child = 0; child < 8; ++child) {
@@ -49,9 +49,24 @@ class Descent {
     lists_[level] = std::move(found.active);
   }
 
+  /// The side that all voxels of a block are on, by bounds on the block without its surroundings.
+  std::optional<bool> SideOf(const Cube& block, const ActiveSet& active) {
+    constexpr double kHalf = 0.5 * (kBlockSide - 1);
+    constexpr double kSlack = 1.001;  // the voxels' places are rounded
+    const Eigen::Vector3d corner = block.origin.cast<double>();
+    BallBounds found = field_.BoundOnBall({search_.voxel_size * (corner.array() + kHalf),
+                                           search_.voxel_size * kSlack * std::sqrt(3.0) * kHalf},
+                                          active, std::move(inner_));
+    inner_ = std::move(found.active);
+    if (static_cast<double>(found.bounds.lower) > kIsoValue) return true;
+    if (static_cast<double>(found.bounds.upper) < kIsoValue) return false;
+    return std::nullopt;
+  }
+
   const CompiledField& field_;
   const BlockSearch& search_;
   FoundBlocks found_;
+  ActiveSet inner_;
   std::array<ActiveSet, 4> lists_;
 };
 

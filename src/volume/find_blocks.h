@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "lascaux/base/execution.h"
@@ -14,6 +15,9 @@ namespace lascaux {
 struct Block {
   Eigen::Vector3i origin;
   ActiveSet active;
+  /// Set when the bounds say that all of its voxels are inside or all outside: the surface is
+  /// beside it.
+  std::optional<bool> inside = std::nullopt;
 };
 
 /// Which voxels to look at.
