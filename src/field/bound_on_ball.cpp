@@ -47,14 +47,20 @@ class BallPass {
   }
 
   BallBounds Run(const ActiveSet& in) {
-    for (const std::uint32_t id : in.primitives) Consider(id);
+    const auto end = in.primitives.end();
+    for (auto id = in.primitives.begin(); id != end;) {
+      const CompiledPart& part = data_.part_of(data_.primitives[*id]);
+      const auto behind = std::lower_bound(id, end, part.end);
+      if (Enter(part)) std::for_each(id, behind, [this](std::uint32_t i) { Consider(i); });
+      id = behind;
+    }
     Flush();
     EndPart();
     return Finish();
   }
 
  private:
-  void Enter(const CompiledPart& part);
+  bool Enter(const CompiledPart& part);
   void Consider(std::uint32_t id);
   void Flush();
   void Take(std::uint32_t id, const Range& range);
@@ -68,8 +74,7 @@ class BallPass {
   std::vector<std::uint32_t> kept_;
   std::vector<Reached> reached_;
 
-  std::uint32_t entered_ = ~0u;  ///< part that center_ and radius_ are for
-  Eigen::Vector3d center_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d center_ = Eigen::Vector3d::Zero();  ///< in the flat space of the part at hand
   double radius_ = 0;
 
   KernelBalls tile_;
@@ -82,13 +87,20 @@ class BallPass {
 };
 
 /// The flat space stretches the ball along z, and a depth map shifts it by an amount that differs
-/// from place to place: the ball around what it becomes.
-void BallPass::Enter(const CompiledPart& part) {
+/// from place to place: the ball around what it becomes. False when it does not reach the part.
+bool BallPass::Enter(const CompiledPart& part) {
   const Eigen::Vector3d& center = ball_.center;
+  const auto reaches = [&] {
+    return part.box.squaredExteriorDistance(center_) <= radius_ * radius_;
+  };
+  // The plane is as it was: what is too far away there is, whatever its depth.
+  center_ = {center.x(), center.y(), std::clamp(part.z0, part.box.min().z(), part.box.max().z())};
+  radius_ = ball_.radius;
+  if (!reaches()) return false;
   if (!part.map) {
     center_ = internal::Flatten(part, center);
     radius_ = ball_.radius * std::max(1.0, part.inv_depth_scale);
-    return;
+    return reaches();
   }
   const Eigen::Vector2d reach = Eigen::Vector2d::Constant(ball_.radius), place = center.head<2>();
   const auto range = part.table->ExtentOn(
@@ -101,15 +113,11 @@ void BallPass::Enter(const CompiledPart& part) {
   center_ = {center.x(), center.y(), part.z0 + (center.z() - middle) * steepness};
   radius_ = ball_.radius * std::max(1.0, steepest) + steepest * (middle_high - middle) +
             (steepest - steepness) * std::abs(center.z() - middle);
+  return reaches();
 }
 
 void BallPass::Consider(std::uint32_t id) {
   const CompiledPrimitive& primitive = data_.primitives[id];
-  const std::uint32_t part = data_.chain_part[primitive.chain];
-  if (part != entered_) {
-    entered_ = part;
-    Enter(data_.parts[part]);
-  }
   if (primitive.box.squaredExteriorDistance(center_) > radius_ * radius_) return;
 
   const auto k = static_cast<std::size_t>(tile_count_);

@@ -38,6 +38,8 @@ struct CompiledPrimitive {
 struct CompiledPart {
   int parent = -1;  ///< index in the compiled order
   std::uint32_t depth = 0;
+  std::uint32_t end = 0;    ///< behind its last primitive
+  Eigen::AlignedBox3d box;  ///< of its primitives, in its flat space
   double z0 = 0, inv_depth_scale = 1;
   std::optional<DepthMap> map;
   std::optional<internal::SplineTable> table;  ///< of the map

@@ -94,8 +94,9 @@ CompiledField::CompiledField(const Field& field, Isa isa) {
       data->depths = std::max(data->depths, compiled.depth + 1);
     }
     for (const FieldChain& chain : part.chains) {
-      const auto add = [&data](CompiledPrimitive primitive) {
+      const auto add = [&data, &compiled](CompiledPrimitive primitive) {
         primitive.chain = static_cast<std::uint32_t>(data->chain_part.size());
+        compiled.box.extend(primitive.box);
         data->primitives.push_back(primitive);
       };
       for (const Segment& segment : chain.segments) {
@@ -107,6 +108,7 @@ CompiledField::CompiledField(const Field& field, Isa isa) {
       }
       data->chain_part.push_back(static_cast<std::uint32_t>(data->parts.size()));
     }
+    compiled.end = static_cast<std::uint32_t>(data->primitives.size());
     data->parts.push_back(std::move(compiled));
   }
   data_ = std::move(data);

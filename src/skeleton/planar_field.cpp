@@ -21,18 +21,14 @@ constexpr double kCurveNorm = 1.4968340312374837;  // 1 / (2 (3/4)^(7/2) 32/35)
 constexpr double kGentle = 0.5;
 constexpr int kMaxPieces = 16;
 
-struct Node {
-  double x, weight;
-};
-/// Gauss-Legendre on [-1, 1].
-constexpr std::array<Node, 8> kNodes{{{-0.9602898564975363, 0.1012285362903763},
-                                      {-0.7966664774136267, 0.2223810344533745},
-                                      {-0.5255324099163290, 0.3137066458778873},
-                                      {-0.1834346424956498, 0.3626837833783620},
-                                      {0.1834346424956498, 0.3626837833783620},
-                                      {0.5255324099163290, 0.3137066458778873},
-                                      {0.7966664774136267, 0.2223810344533745},
-                                      {0.9602898564975363, 0.1012285362903763}}};
+/// Nodes and weights of Gauss-Legendre on [-1, 1].
+using Nodes = Eigen::Array<double, 8, 1>;
+const Nodes kNodes{-0.9602898564975363, -0.7966664774136267, -0.5255324099163290,
+                   -0.1834346424956498, 0.1834346424956498,  0.5255324099163290,
+                   0.7966664774136267,  0.9602898564975363};
+const Nodes kWeights{0.1012285362903763, 0.2223810344533745, 0.3137066458778873,
+                     0.3626837833783620, 0.3626837833783620, 0.3137066458778873,
+                     0.2223810344533745, 0.1012285362903763};
 
 /// A segment's integral with its derivatives by its ends; `a` is the end of the larger radius.
 struct SegmentSample {
@@ -73,25 +69,31 @@ SegmentSample SampleSegment(const Disc& a, const Disc& b, const Vector2d& point)
   const double needed = kappa > kGentle ? kappa / (1 - kappa) * (1 / kGentle - 1) : 1;
   const int pieces = std::clamp(static_cast<int>(std::ceil(needed)), 1, kMaxPieces);
   const double step = (y2 - y1) / pieces;
-  Vector2d pull_a = Vector2d::Zero(), pull_b = Vector2d::Zero();
+  // Of what pulls the ends: what is along w, and along u.
+  double w_a = 0, w_b = 0, u_a = 0, u_b = 0;
   for (int piece = 0; piece < pieces; ++piece) {
-    const double center = y1 + (piece + 0.5) * step;
-    for (const Node& node : kNodes) {
-      const double y = center + node.x * step / 2;
-      const double widen = 1 / (1 - g * y);  // radius here over radius_a
-      const double p = top - curve * (y - middle) * (y - middle);
-      const double measure = node.weight * step / 2 * widen;
-      const double t = y * widen * a.radius / length;
-      const double p2 = p * p, p3 = p2 * p;
-      sample.value += measure * p3;
-      const double by_radius = measure * (6 * p2 - 7 * p3) / (widen * a.radius);
-      sample.by_radius_a += (1 - t) * by_radius;
-      sample.by_radius_b += t * by_radius;
-      const Vector2d toward = (w - y * widen * u) * (measure * p2 / (widen * widen * a.radius));
-      pull_a += (1 - t) * toward;
-      pull_b += t * toward;
-    }
+    const Nodes y = y1 + (piece + 0.5) * step + step / 2 * kNodes;
+    const Nodes narrow = 1 - g * y;  // radius_a over the radius here
+    const Nodes s = y / narrow;      // arc length in radius_a
+    const Nodes p = top - curve * (y - middle).square();
+    const Nodes p2 = p.square(), p3 = p2 * p;
+    const Nodes measure = step / 2 * kWeights / narrow;
+    const Nodes t = a.radius / length * s;
+    sample.value += (measure * p3).sum();
+    const Nodes narrowed = measure * narrow / a.radius;
+    const Nodes by_radius = narrowed * (6 * p2 - 7 * p3);
+    const double by_both = by_radius.sum(), by_b = (t * by_radius).sum();
+    sample.by_radius_a += by_both - by_b;
+    sample.by_radius_b += by_b;
+    const Nodes toward = narrowed * narrow * p2, toward_b = t * toward;
+    const double w_both = toward.sum(), w_one = toward_b.sum();
+    const double u_both = (toward * s).sum(), u_one = (toward_b * s).sum();
+    w_a += w_both - w_one;
+    w_b += w_one;
+    u_a += u_both - u_one;
+    u_b += u_one;
   }
+  const Vector2d pull_a = w_a * w - u_a * u, pull_b = w_b * w - u_b * u;
   sample.value *= kCurveNorm;
   sample.by_radius_a *= kCurveNorm;
   sample.by_radius_b *= kCurveNorm;

@@ -49,11 +49,18 @@ LASCAUX_INLINE Lanes Solve(Lanes x, Lanes y, Lanes z) {
   return a + (b < 1.0F ? beyond_b : All(1));
 }
 
+/// Line, one step up or down, with `end` where nothing is left.
+LASCAUX_INLINE Lanes Before(Lanes line, float end) {
+  return __builtin_shufflevector(line, All(end), 8, 0, 1, 2, 3, 4, 5, 6);
+}
+LASCAUX_INLINE Lanes After(Lanes line, float end) {
+  return __builtin_shufflevector(line, All(end), 1, 2, 3, 4, 5, 6, 7, 8);
+}
+
 LASCAUX_INLINE bool IsAnyBelow(Lanes a, Lanes b) {
-  const auto below = a < b;
-  int any = 0;
-  for (std::size_t k = 0; k < kLanes; ++k) any |= below[k];
-  return any != 0;
+  using Words [[gnu::vector_size(4 * kLanes)]] = long long;
+  const auto below = (Words)(a < b);
+  return ((below[0] | below[1]) | (below[2] | below[3])) != 0;
 }
 
 /// The new values of a line; `fixed` is below kFar where a value is given. Returns whether a value
@@ -62,14 +69,10 @@ LASCAUX_INLINE bool UpdateLine(const BandView& view, std::size_t at, const float
                                float* out) {
   const float* const line = view.Line(at);
   const std::array<const float*, 4> beside = view.LinesBeside(at);
-  std::array<float, 10> z;
-  z[0] = view.BeforeLine(at);
-  std::memcpy(&z[1], line, 8 * sizeof(float));
-  z[9] = view.AfterLine(at);
   const Lanes own = Load(line), given = Load(fixed + at);
   const Lanes along_x = Min(Load(beside[0]), Load(beside[1]));
   const Lanes along_y = Min(Load(beside[2]), Load(beside[3]));
-  const Lanes along_z = Min(Load(&z[0]), Load(&z[2]));
+  const Lanes along_z = Min(Before(own, view.BeforeLine(at)), After(own, view.AfterLine(at)));
   // Nothing within the band comes from beyond it.
   if (!IsAnyBelow(Min(Min(along_x, along_y), along_z), All(kSweepVoxels))) return false;
   const Lanes solved = Solve(along_x, along_y, along_z);
