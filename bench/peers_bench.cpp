@@ -60,7 +60,8 @@ using Wide [[gnu::vector_size(64)]] = float;
 
 /// So many fused multiplications and additions of 16 numbers that the unit is never idle.
 [[gnu::target("avx512f,fma")]] float MultiplyAndAdd(int rounds) {
-  std::array<Wide, 16> sums{};
+  std::array<Wide, 16> sums;  // all different, or one chain would do for all
+  for (std::size_t k = 0; k < sums.size(); ++k) sums[k] = Wide{} + static_cast<float>(k);
   const Wide factor = Wide{} + 0.999F, term = Wide{} + 1e-3F;
   for (int i = 0; i < rounds; ++i) {
     for (Wide& sum : sums) sum = sum * factor + term;

@@ -154,10 +154,17 @@ Linearised Linearise(const Model& model, const std::vector<Target>& targets, con
 /// The damped Gauss-Newton step. Discs far from each other share no sample, so the matrix is nearly
 /// banded.
 VectorXd Solve(const Linearised& at, double damping, double hold, const VectorXd& x) {
-  Eigen::SparseMatrix<double> matrix = at.normal.sparseView();
-  for (Eigen::Index i = 0; i < x.size(); ++i) {
-    matrix.coeffRef(i, i) = at.normal(i, i) * (1 + damping) + hold;
+  const Eigen::Index n = x.size();
+  Eigen::SparseMatrix<double> matrix(n, n);
+  // In order: whatever is put between what is there moves all that follows.
+  for (Eigen::Index j = 0; j < n; ++j) {
+    matrix.startVec(j);
+    matrix.insertBack(j, j) = at.normal(j, j) * (1 + damping) + hold;
+    for (Eigen::Index i = j + 1; i < n; ++i) {
+      if (at.normal(i, j) != 0) matrix.insertBack(i, j) = at.normal(i, j);
+    }
   }
+  matrix.finalize();
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> factors(matrix);
   return factors.solve(-(at.slope + hold * x));
 }

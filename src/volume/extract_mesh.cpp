@@ -231,10 +231,12 @@ class Extraction {
       return x * x + y * y + height * height;
     };
     const bool first_is_shorter = squared_length(0, 2) <= squared_length(1, 3);
-    const bool is_first_good = IsInEnvelope({seen[0], seen[2], seen[1], seen[3]}, kEnvelopeMargin);
-    if (first_is_shorter && is_first_good) return true;
-    const bool is_other_good = IsInEnvelope({seen[1], seen[3], seen[2], seen[0]}, kEnvelopeMargin);
-    return is_first_good == is_other_good ? first_is_shorter : is_first_good;
+    const auto is_good = [&seen](bool from_first) {
+      return from_first ? IsInEnvelope({seen[0], seen[2], seen[1], seen[3]}, kEnvelopeMargin)
+                        : IsInEnvelope({seen[1], seen[3], seen[2], seen[0]}, kEnvelopeMargin);
+    };
+    return is_good(first_is_shorter) || !is_good(!first_is_shorter) ? first_is_shorter
+                                                                    : !first_is_shorter;
   }
 
   void AddTriangles(std::size_t at, std::array<std::uint32_t, 4> q, bool from_first,
