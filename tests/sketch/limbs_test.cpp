@@ -209,6 +209,26 @@ TEST(Limbs, TheNearEarIsTheBumpBesideTheFarOne) {
                           {{325, 234}, PartRole::kSagittal}});
 }
 
+TEST(Limbs, EarsMaySpread) {
+  // The far ear stands upright, the near one lies back by 70 degrees from it.
+  ExpectStructure(R"(
+      <path d="M262 120C300 150 310 200 270 230C280 260 270 290 240 300L110 300C60 280 60 190 120 160
+               C150 148 180 146 200 146L128 92C104 66 138 34 164 58L220 106C234 108 250 112 262 120Z"/>
+      <path d="M214 102L212 30C214 6 252 6 256 30L258 117"/>)",
+                  {{{180, 220}, PartRole::kBody},
+                   {{150, 76}, PartRole::kForeground},
+                   {{236, 40}, PartRole::kBackground, Vector2d(150, 76)}});
+}
+
+TEST(Limbs, WhatHoldsAnEyeIsNoFarSide) {
+  // The far ear of the goat, with an eye: a face.
+  const auto read = ReadDrawing(std::string(kGoat) + R"(<circle cx="119" cy="40" r="3"/>)");
+  ASSERT_TRUE(read);
+  const auto face = PartAt(*read, {112, 52});
+  ASSERT_TRUE(face);
+  EXPECT_NE(read->graph.nodes[static_cast<std::size_t>(*face)].role, PartRole::kBackground);
+}
+
 TEST(Limbs, TheLargerHalfOfAFaceIsNoLimbOfIt) {
   const auto read = ReadDrawing(R"(
       <path d="M60 60C120 20 250 20 300 60C310 30 340 30 360 60C380 90 400 100 390 120

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Near and far limb, seen from their roots, point the same way within this angle ...
+/// Near and far limb, each seen from its root, point the same way within this angle ...
 constexpr double kMostSwing = std::numbers::pi / 3;
 /// Legs point down and ears up, at least this far from the horizontal: what runs on along the page
 /// beside a cell is a jaw or a tail.
@@ -105,9 +105,23 @@ struct Bump {
   double cost = std::numeric_limits<double>::infinity();
 };
 
+/// A cell behind the face. What they share is its joint if the cell reaches farther away from it
+/// than it is long; else it runs along the limb, and the far limb's root is hidden.
+struct Cell {
+  Polyline ring;
+  std::optional<Vector2d> joint;
+};
+
+Cell CellBehind(const FaceView& face, int cycle, const SharedRun& run) {
+  Cell cell{RingOf(face.map, cycle), {}};
+  const Vector2d middle = face.line.At(run.from + 0.5 * run.length);
+  if (ReachOf(cell.ring, middle).Length() > run.length) cell.joint = middle;
+  return cell;
+}
+
 /// How unlike the bump between two places is to the cell, as limbs; infinite if it is none.
 double Unlike(const Way& way, const Polyline& contour,
-              const std::pair<std::size_t, std::size_t>& at, const Polyline& cell) {
+              const std::pair<std::size_t, std::size_t>& at, const Cell& cell) {
   constexpr double kNever = std::numeric_limits<double>::infinity();
   const Vector2d a = contour[at.first], b = contour[at.second];
   const double width = (a - b).norm(), diagonal = way.face.map.diagonal;
@@ -115,21 +129,24 @@ double Unlike(const Way& way, const Polyline& contour,
   const Vector2d root = 0.5 * (a + b);
   const Polyline own(contour.begin() + static_cast<std::ptrdiff_t>(at.first),
                      contour.begin() + static_cast<std::ptrdiff_t>(at.second) + 1);
-  const Reach near = ReachOf(own, root), far = ReachOf(cell, root);
+  const Reach near = ReachOf(own, root);
   if (near.Length() < kLeastReach * width) return kNever;
-  const double swing = AngleBetween(near.tip - near.root, far.tip - far.root);
-  const double longer = std::abs(std::log(near.Length() / far.Length()));
-  const double bulk = std::abs(std::log(std::abs(SignedArea(own)) / std::abs(SignedArea(cell))));
   const double slope = std::abs((near.tip - near.root).y()) / near.Length();
-  if (swing > kMostSwing || slope < kLeastSlope) return kNever;
+  if (slope < kLeastSlope) return kNever;
+  const Reach far = ReachOf(cell.ring, cell.joint.value_or(root));
+  const double swing = AngleBetween(near.tip - near.root, far.tip - far.root);
+  if (swing > kMostSwing) return kNever;
+  const double longer = std::abs(std::log(near.Length() / far.Length()));
+  const double bulk =
+      std::abs(std::log(std::abs(SignedArea(own)) / std::abs(SignedArea(cell.ring))));
   // A far limb is partly hidden: its bulk says less than its length.
   return swing + 1.5 * longer + 0.25 * bulk + 0.5 * width / near.Length();
 }
 
 /// The bump next to a shared run whose root begins in the run and ends beyond it.
-Bump BestBump(const Way& way, double run, const Polyline& cell) {
+Bump BestBump(const Way& way, double run, const Cell& cell) {
   const double step = kStep * way.face.map.diagonal;
-  const double most = std::min(run + kMostWay * Length(cell), 0.6 * way.face.line.length);
+  const double most = std::min(run + kMostWay * Length(cell.ring), 0.6 * way.face.line.length);
   Polyline contour;
   for (double s = 0; s < most; s += step) contour.push_back(way.At(s));
   Bump best;
@@ -193,13 +210,12 @@ std::optional<LimbCut> CutOf(const Way& way, const Bump& bump) {
   return limb;
 }
 
-/// True when an island lies in the walk's stretch of the limb: an eye makes it a head.
-bool HoldsAnIsland(const FaceView& face, const LimbCut& limb) {
-  const Polyline own = Stretch(face.line, limb.from, limb.to).points;
+/// True when an island lies in a ring: an eye makes it a head.
+bool HoldsAnIsland(const FaceView& face, const Polyline& ring) {
   return std::any_of(face.map.cycles.begin(), face.map.cycles.end(), [&](const MapCycle& cycle) {
     return cycle.kind == CycleKind::kIsland &&
            Contains(
-               own,
+               ring,
                face.map.nodes[static_cast<std::size_t>(face.map.Origin(cycle.half_edges.front()))]
                    .position);
   });
@@ -227,13 +243,15 @@ std::vector<LimbCut> LimbsBesideCells(const FaceView& face, const std::vector<Li
   for (const auto& [cell, run] : SharedRuns(face)) {
     const double end = face.line.Wrap(run.from + run.length);
     if (!is_free(run.from, end)) continue;  // the limb in front of this cell is known
-    const Polyline ring = RingOf(face.map, cell);
+    const Cell far = CellBehind(face, cell, run);
+    if (HoldsAnIsland(face, far.ring)) continue;
     std::optional<LimbCut> best;
     for (const Way& way : {Way{face, run.from, 1}, Way{face, end, -1}}) {
-      const Bump bump = BestBump(way, run.length, ring);
+      const Bump bump = BestBump(way, run.length, far);
       if (bump.cost > kMostUnlikeFarSide || (best && best->energy <= bump.cost)) continue;
       const auto limb = CutOf(way, bump);
-      if (limb && is_free(limb->from, limb->to) && !HoldsAnIsland(face, *limb)) best = limb;
+      if (!limb || !is_free(limb->from, limb->to)) continue;
+      if (!HoldsAnIsland(face, Stretch(face.line, limb->from, limb->to).points)) best = limb;
     }
     if (best) found.push_back(std::move(*best));
   }
