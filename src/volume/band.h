@@ -10,6 +10,7 @@
 #include "lascaux/field/compiled_field.h"
 #include "volume/block_map.h"
 #include "volume/find_blocks.h"
+#include "volume/voxel_floats.h"
 
 /// @file
 /// The band before it becomes a grid: blocks of 8 x 8 x 8 distances, in voxels, with their
@@ -29,7 +30,7 @@ struct Band {
   std::vector<Eigen::Vector3i> origins;
   std::vector<std::array<std::int32_t, 6>> neighbours;  ///< at -x, +x, -y, +y, -z, +z, or kNoBlock
   std::vector<VoxelMask> inside;                        ///< F > 1
-  std::vector<float> distance;                          ///< in voxels, >= 0, kBlockVoxels a block
+  VoxelFloats distance;                                 ///< in voxels, >= 0, kBlockVoxels a block
 
   std::size_t size() const noexcept { return origins.size(); }
 };

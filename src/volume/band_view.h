@@ -12,7 +12,7 @@ namespace lascaux {
 class BandView {
  public:
   /// `values` holds kBlockVoxels for each block of the band; both must outlive the view.
-  BandView(const Band& band, const std::vector<float>& values, std::size_t block)
+  BandView(const Band& band, const VoxelFloats& values, std::size_t block)
       : mirrors_(band.upper_half && band.origins[block].z() == 0),
         own_(values.data() + kBlockVoxels * block),
         inside_(&band.inside[block]) {

@@ -115,11 +115,12 @@ Band FindInside(const BandSource& source, const Execution& execution) {
 
 void MeasureCrossings(const BandSource& source, const std::vector<VoxelMask>& crossings, Band& band,
                       const Execution& execution) {
-  band.distance.assign(kBlockVoxels * band.size(), kFar);
+  band.distance.resize(kBlockVoxels * band.size());
   const CrossingMeter meter(source);
   tbb::parallel_for(std::size_t{0}, band.size(), [&](std::size_t b) {
-    if (execution.IsCancelled()) return;
     const std::span distance = std::span(band.distance).subspan(kBlockVoxels * b, kBlockVoxels);
+    std::fill(distance.begin(), distance.end(), kFar);
+    if (execution.IsCancelled()) return;
     meter.Run(source.blocks[b], crossings[b], {band.inside[b], distance});
   });
 }

@@ -73,7 +73,7 @@ class BlockRefiner {
 
 void RefineDistances(const BandSource& source, const std::vector<VoxelMask>& crossings, Band& band,
                      const Execution& execution) {
-  std::vector<float> refined(band.distance.size());
+  VoxelFloats refined(band.distance.size());
   const BlockRefiner refiner(source, band);
   tbb::parallel_for(std::size_t{0}, band.size(), [&](std::size_t b) {
     if (execution.IsCancelled()) return;

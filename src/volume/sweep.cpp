@@ -169,12 +169,13 @@ float DistanceAtCrossing(const BandView& view, std::size_t i) {
 }
 
 /// Distances at the crossings, kFar elsewhere; sets in `lines` those that have some.
-std::vector<float> FixCrossings(const Band& band, const std::vector<VoxelMask>& crossings,
-                                std::vector<LineMask>& lines) {
-  std::vector<float> fixed(band.distance.size(), kFar);
+VoxelFloats FixCrossings(const Band& band, const std::vector<VoxelMask>& crossings,
+                         std::vector<LineMask>& lines) {
+  VoxelFloats fixed(band.distance.size());
   lines.assign(band.size(), 0);
   tbb::parallel_for(std::size_t{0}, band.size(), [&](std::size_t b) {
     const BandView view(band, band.distance, b);
+    std::fill_n(fixed.data() + kBlockVoxels * b, kBlockVoxels, kFar);
     for (std::size_t x = 0; x < 8; ++x) {
       for (std::uint64_t word = crossings[b][x]; word != 0; word &= word - 1) {
         const std::size_t i = 64 * x + static_cast<std::size_t>(std::countr_zero(word));
@@ -191,9 +192,14 @@ std::vector<float> FixCrossings(const Band& band, const std::vector<VoxelMask>& 
 void SweepDistances(Band& band, const std::vector<VoxelMask>& crossings, Isa isa,
                     const Execution& execution) {
   std::vector<LineMask> changed, changes(band.size()), pending(band.size());
-  const std::vector<float> fixed = FixCrossings(band, crossings, changed);
+  const VoxelFloats fixed = FixCrossings(band, crossings, changed);
   for (std::size_t b = 0; b < band.size(); ++b) pending[b] = changed[b] | BesideInBlock(changed[b]);
-  std::vector<float> next = band.distance = fixed;
+  VoxelFloats next(fixed.size());
+  tbb::parallel_for(std::size_t{0}, band.size(), [&](std::size_t b) {
+    const float* const from = fixed.data() + kBlockVoxels * b;
+    std::copy_n(from, kBlockVoxels, band.distance.data() + kBlockVoxels * b);
+    std::copy_n(from, kBlockVoxels, next.data() + kBlockVoxels * b);
+  });
   const auto run = isa == Isa::kBaseline ? RunBaseline : RunAvx2;
   const auto is_settled = [](LineMask mask) { return mask == 0; };
   while (!(std::all_of(changed.begin(), changed.end(), is_settled) &&
