@@ -77,7 +77,8 @@ struct RasteriseOptions {
 /// the scheme's first order remains. No distance is smaller than 0.004 voxel.
 ///
 /// Errors: "bad-voxel-size", "bad-primitive" (from Validate), "empty-field" (no voxel centre is
-/// inside), "out-of-memory" (with the estimate), "cancelled".
+/// inside), "out-of-memory" (with the estimate: EstimateBytes(), or where that is too much, a
+/// closer one from the blocks of a coarser grid, in some tens of milliseconds), "cancelled".
 Outcome<NarrowBand> RasteriseBand(const Field& field, const RasteriseOptions& options,
                                   const Execution& execution = {});
 
