@@ -185,7 +185,9 @@ TEST(SvgStrokes, DuplicatesGoAndLeaveTheirColor) {
                   Path(back) + Path("M0 0l3 0", "transform='scale(.1)'") + Path("M0 0h.3")));
   ASSERT_TRUE(outcome.ok());
   ASSERT_EQ(outcome->strokes.size(), 3u);
-  EXPECT_EQ(CountOf(outcome, "duplicate-stroke"), 3);
+  // One note a curve, however many copies of it there are.
+  EXPECT_EQ(CountOf(outcome, "duplicate-stroke"), 2);
+  EXPECT_NE(MessageOf(outcome, "duplicate-stroke").find("and 1 more run along"), std::string::npos);
   EXPECT_EQ(outcome->strokes[1].fill_color, (Color{1, 0, 0}));
   for (const Diagnostic& d : outcome.diagnostics()) EXPECT_TRUE(d.stroke && d.at);
 }
@@ -279,7 +281,7 @@ TEST(SvgDocument, EncodingsAreRecognised) {
 
 TEST(SvgErrors, WhatIsNoSvg) {
   for (const char* bytes : {"", "   ", "hello", "<html><p></html>", "<svgs/>", "\x89PNG\r\n",
-                            "\x1f\x8b\x08", "{\"a\": 1}"}) {
+                            "{\"a\": 1}"}) {
     EXPECT_EQ(ErrorOf(bytes), "not-svg") << bytes;
   }
 }
@@ -289,6 +291,7 @@ TEST(SvgErrors, WhatIsBrokenXml) {
   EXPECT_EQ(ErrorOf("<svg><g></svg>"), "broken-xml");
   EXPECT_EQ(ErrorOf("<?xml version='1.0'"), "broken-xml");
   EXPECT_EQ(ErrorOf("<!-- nothing else -->"), "broken-xml");
+  EXPECT_EQ(ErrorOf("\x1f\x8b\x08"), "broken-xml");  // a compressed file that is cut off
   EXPECT_EQ(ErrorOf(std::string("<svg>\0</svg>", 12)), "broken-xml");
   const Outcome<Sketch> outcome = ReadSvg("<svg>\n<g>\n<path d='M0 0");
   EXPECT_NE(MessageOf(outcome, "broken-xml").find("line 3"), std::string::npos);

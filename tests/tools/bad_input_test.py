@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Bad input gets an exit code, one message that says what to do, and no model."""
 import gzip
+import json
 import math
 import os
 import random
@@ -50,7 +51,8 @@ class BadInputTest(ProgramTest):
              "no-strokes"),
             ("in.svg", SVG.format("<image width='5' height='5' href='a.png'/>"), "no-strokes"),
             ("in.svg", "<", "broken-xml"),
-            ("in.svgz", gzip.compress(cat), "gunzip <"),
+            ("in.svgz", gzip.compress(cat)[:-200], "cut off at byte"),
+            ("in.svgz", gzip.compress(bytes(1 << 27)), "unpacks to more than"),
             ("in.svg", cat.decode().replace("<?xml", " <?xml").encode("utf-16-be"), ""),
             ("in.png", b"\x89PNG\r\n\x1a\n" + bytes(2000), "ends too early"),
         ):
@@ -58,6 +60,18 @@ class BadInputTest(ProgramTest):
                 path = self.write(name, content)
                 self.assert_refused(self.build(path), 3, word)
                 path.unlink()
+
+    def test_a_compressed_drawing_is_read_like_the_plain_one(self):
+        content = CAT.read_bytes()
+        half = len(content) // 2
+        members = gzip.compress(content[:half]) + gzip.compress(content[half:])
+        parts = []
+        for name, data in (("in.svg", content), ("in.svgz", gzip.compress(content)), ("in.2.svgz", members)):
+            dump = self.folder / "parse.json"
+            self.assert_code(run("inspect", self.write(name, data), "-o", dump), 0)
+            parts.append(json.loads(dump.read_text())["parts"])
+        self.assertEqual(parts[0], parts[1])
+        self.assertEqual(parts[0], parts[2])
 
     def test_a_folder_or_a_missing_file_is_3(self):
         self.assert_refused(self.build(self.folder), 3, "cannot-read")

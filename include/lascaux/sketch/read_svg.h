@@ -15,14 +15,16 @@ namespace lascaux {
 /// costs memory. Four steps of reading are allowed for each of `max_bytes`, which bounds what `use`
 /// and style rules multiply.
 struct ReadSvgOptions {
-  std::size_t max_bytes = 64u << 20;  ///< of the file, and of the text that its entities stand for
+  std::size_t max_bytes = 64u << 20;  ///< of the file, of what it unpacks to, and of what its
+                                      ///< entities stand for
   int max_pieces = 400'000;           ///< Bézier pieces, after `use` is expanded
   int max_depth = 200;                ///< nesting of elements and of `use`
 
   bool operator==(const ReadSvgOptions&) const = default;
 };
 
-/// Reads a document from its bytes: any bytes, in UTF-8, UTF-16, UTF-32 or Latin-1.
+/// Reads a document from its bytes: any bytes, in UTF-8, UTF-16, UTF-32 or Latin-1, as they are or
+/// compressed by gzip (.svgz).
 ///
 /// Strokes are what elements with a visible stroke draw: paths, basic shapes, and what `use` copies
 /// of them, and small dark blobs. In a drawing without lines, or whose lines are only details of

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sketch/svg/cursor.h"
+#include "sketch/svg/gzip.h"
 #include "sketch/svg/selector.h"
 
 namespace lascaux::svg {
@@ -29,8 +30,6 @@ std::ptrdiff_t CountMarkup(std::string_view text) {
 Diagnostic NotSvg(std::string_view bytes) {
   std::string what = "its first character is not '<', so it is no XML";
   if (bytes.empty()) what = "the file is empty";
-  if (bytes.starts_with("\x1f\x8b"))
-    what = "it is compressed; unpack it first, as by gunzip < IN.svgz > OUT.svg";
   if (bytes.starts_with("\x89PNG") || bytes.starts_with("\xff\xd8\xff")) {
     what = "it is a picture; trace it first";
   }
@@ -52,6 +51,12 @@ Outcome<Document> Document::Load(std::string_view bytes, const ReadSvgOptions& o
                     bytes.size(), options.max_bytes, options.max_bytes)));
   }
   Document document;
+  if (IsGzip(bytes)) {
+    Outcome<std::string> unpacked = Unzip(bytes, options.max_bytes);
+    if (!unpacked) return Result::Failure(unpacked.diagnostics());
+    document.unpacked_ = std::make_unique<std::string>(std::move(*unpacked));
+    bytes = *document.unpacked_;
+  }
   document.text_ = Utf8Text::Decode(bytes);
   const std::string_view text = document.text_.view();
   if (!Trimmed(text).starts_with('<')) return Result::Failure(NotSvg(bytes));

@@ -20,8 +20,8 @@ namespace lascaux::svg {
 
 class Document {
  public:
-  /// Parses the bytes, which must outlive the document. Errors: "not-svg", "broken-xml",
-  /// "too-large".
+  /// Parses the bytes, gzip or not, which must outlive the document. Errors: "not-svg",
+  /// "broken-xml", "too-large".
   static Outcome<Document> Load(std::string_view bytes, const ReadSvgOptions& options);
 
   pugi::xml_node root() const { return tree_->document_element(); }
@@ -47,6 +47,7 @@ class Document {
   std::size_t SourceOffset(std::size_t parsed_offset) const;
   std::optional<Diagnostic> Parse();
 
+  std::unique_ptr<std::string> unpacked_;  ///< of a compressed file; text_ is a view of it
   Utf8Text text_;
   std::optional<ExpandedText> expanded_;
   std::unique_ptr<pugi::xml_document> tree_ = std::make_unique<pugi::xml_document>();

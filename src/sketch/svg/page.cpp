@@ -53,9 +53,12 @@ Diagnostic ZeroLength(const std::string& name, int pieces) {
                                        pieces > 1 ? fmt::format("{} pieces", pieces) : "a piece"));
 }
 
-Diagnostic Duplicate(const std::string& name, const std::string& first) {
-  return Note(kDuplicate,
-              fmt::format("{} runs along the same curve as {} and was left out", name, first));
+/// One note for all copies of a curve: the first of them, and how many there are.
+Diagnostic Duplicate(const std::string& name, int copies, const std::string& first) {
+  const std::string what = copies == 1 ? "runs along the same curve as {1} and was left out"
+                                       : "and {2} more run along the same curve as {1} and were "
+                                         "left out";
+  return Note(kDuplicate, fmt::format(fmt::runtime("{0} " + what), name, first, copies - 1));
 }
 
 bool IsWhite(const PaintedSubpath& subpath) {
@@ -234,7 +237,9 @@ Outcome<Sketch> DrawPage(std::vector<PaintedSubpath> painted, Reading& reading) 
   if (drawn.empty()) return reading.Failed(NoStrokes(reading.RootName()));
 
   const std::vector<std::size_t> first = FirstOfEach(curves);
+  std::vector<int> copies(drawn.size(), 0);
   for (std::size_t i = 0; i < drawn.size(); ++i) {
+    if (first[i] != i) ++copies[first[i]];
     auto& color = drawn[first[i]]->stroke.fill_color;
     if (!color) color = drawn[i]->stroke.fill_color;
   }
@@ -244,11 +249,12 @@ Outcome<Sketch> DrawPage(std::vector<PaintedSubpath> painted, Reading& reading) 
     PaintedSubpath& p = *drawn[i];
     const int kept = index[first[i]];
     if (first[i] != i) {
-      if (kept < 0) continue;
+      const int count = std::exchange(copies[first[i]], 0);
+      if (kept < 0 || count == 0) continue;
       findings.Add(kDuplicate, [&] {
         const std::string name = reading.Name(p.element);
         const std::string before = reading.Name(drawn[first[i]]->element);
-        return At(OnStroke(Duplicate(name, before), kept), p.start);
+        return At(OnStroke(Duplicate(name, count, before), kept), p.start);
       });
     } else if (page.IsDrawn(p)) {
       index[i] = builder.Add(p);
