@@ -280,8 +280,8 @@ TEST(SvgDocument, EncodingsAreRecognised) {
 }
 
 TEST(SvgErrors, WhatIsNoSvg) {
-  for (const char* bytes : {"", "   ", "hello", "<html><p></html>", "<svgs/>", "\x89PNG\r\n",
-                            "{\"a\": 1}"}) {
+  for (const char* bytes :
+       {"", "   ", "hello", "<html><p></html>", "<svgs/>", "\x89PNG\r\n", "{\"a\": 1}"}) {
     EXPECT_EQ(ErrorOf(bytes), "not-svg") << bytes;
   }
 }
