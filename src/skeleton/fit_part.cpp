@@ -1,9 +1,12 @@
 #include "skeleton/fit_part.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "lascaux/field/field.h"
@@ -119,12 +122,13 @@ struct Linearised {
   VectorXd slope;
 };
 
-Linearised Linearise(const Model& model, const std::vector<Target>& targets, const VectorXd& x) {
+Linearised LineariseSome(const Model& model, std::span<const Target> targets,
+                         const std::vector<Chain>& chains) {
   const int n = model.unknowns();
   Linearised at;
   at.normal = MatrixXd::Zero(n, n);
   at.slope = VectorXd::Zero(n);
-  PlanarField field(model.At(x));
+  PlanarField field(chains);
   PlanarSample sample;
   for (const Target& target : targets) {
     field.Evaluate(target.point, sample);
@@ -148,6 +152,22 @@ Linearised Linearise(const Model& model, const std::vector<Target>& targets, con
       }
     }
   }
+  return at;
+}
+
+/// In halves, side by side, for the torso's fit is longer than those of all other parts together;
+/// unless there are more unknowns than targets, and a second matrix costs more than it saves.
+Linearised Linearise(const Model& model, std::span<const Target> targets, const VectorXd& x) {
+  const std::vector<Chain> chains = model.At(x);
+  if (targets.size() < Index(model.unknowns())) return LineariseSome(model, targets, chains);
+  const std::size_t half = targets.size() / 2;
+  Linearised at, rest;
+  tbb::parallel_invoke([&] { at = LineariseSome(model, targets.first(half), chains); },
+                       [&] { rest = LineariseSome(model, targets.subspan(half), chains); });
+  at.cost += rest.cost;
+  at.worst = std::max(at.worst, rest.worst);
+  at.normal += rest.normal;
+  at.slope += rest.slope;
   return at;
 }
 
