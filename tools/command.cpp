@@ -19,6 +19,8 @@
 namespace lascaux {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr std::string_view kProgram = "lascaux";
 
 Diagnostic Usage(std::string code, std::string message) {
@@ -48,6 +50,9 @@ Outcome<std::vector<std::vector<OutputTarget>>> Plan(Verb verb, const CommandOpt
   auto requests = ReadOutputNames(verb, options.outputs).MoveInto(log);
   if (!requests) return Outcome<std::vector<std::vector<OutputTarget>>>::Failure(std::move(log));
   for (const std::string& name : options.reports) requests->push_back({OutputKind::kReport, name});
+  for (const Diagnostic& error : CheckVolume(options.write.volume, *requests)) log.push_back(error);
+  if (HasError(log))
+    return Outcome<std::vector<std::vector<OutputTarget>>>::Failure(std::move(log));
   return PlanOutputs(options.sketches, *requests);
 }
 
@@ -65,7 +70,8 @@ std::vector<std::pair<std::string, std::string>> HeadMetadata(const Model& model
   return {};
 }
 
-std::vector<std::pair<std::string, std::string>> Metadata(const PipelineOptions& options,
+std::vector<std::pair<std::string, std::string>> Metadata(const std::string& sketch,
+                                                          const PipelineOptions& options,
                                                           std::string_view bytes) {
   std::string settings = fmt::format("size={} voxel_size={} blend={}", options.size,
                                      options.VoxelSize(), options.blend);
@@ -73,6 +79,7 @@ std::vector<std::pair<std::string, std::string>> Metadata(const PipelineOptions&
     settings += fmt::format(" body={},{}", options.depth.body->x(), options.depth.body->y());
   return {{"creator", "Lascaux"},
           {"lascaux_version", kVersion},
+          {"lascaux_sketch", fs::path(sketch).filename().string()},
           {"lascaux_sketch_hash", ContentHashText(bytes)},
           {"lascaux_options", settings}};
 }
@@ -95,9 +102,10 @@ LastStage LastStageFor(Verb verb, const std::vector<OutputTarget>& targets) {
   return picture ? LastStage::kPreview : LastStage::kMesh;
 }
 
-bool NeedsOpenVdb(const std::vector<OutputTarget>& targets) {
-  return std::any_of(targets.begin(), targets.end(),
-                     [](const OutputTarget& target) { return IsPicture(target.kind); });
+bool NeedsOpenVdb(const std::vector<OutputTarget>& targets, const VolumeOptions& volume) {
+  return std::any_of(targets.begin(), targets.end(), [&volume](const OutputTarget& target) {
+    return IsPicture(target.kind) || (target.kind == OutputKind::kVdb && NeedsOpenVdb(volume));
+  });
 }
 
 /// The stages' options, with the file of --overrides if there is one.
@@ -145,7 +153,7 @@ Model Make(const Job& job, const CommandOptions& options, const Execution& execu
   const bool diagnosed = code == ExitCode::kUnderstanding || code == ExitCode::kMesh;
   if (code != ExitCode::kSuccess && !diagnosed) return model;
   WriteOptions write = options.write;
-  write.metadata = Metadata(options.pipeline, *bytes);
+  write.metadata = Metadata(job.sketch, options.pipeline, *bytes);
   for (auto& entry : HeadMetadata(model)) write.metadata.push_back(std::move(entry));
   write.name = SketchName(job.sketch);
   WriteOutputs(model, job.targets, write, execution);
@@ -178,7 +186,9 @@ ExitCode RunCommand(Verb verb, const CommandOptions& options, const Execution& e
     return ExitCode::kUsage;
   }
   // On time for whoever writes a level set or a picture at the end, beside the drawing's reading.
-  const bool uses_openvdb = std::any_of(plan->begin(), plan->end(), NeedsOpenVdb);
+  const bool uses_openvdb = std::any_of(
+      plan->begin(), plan->end(),
+      [&options](const auto& targets) { return NeedsOpenVdb(targets, options.write.volume); });
   if (uses_openvdb) PreloadGridPlugin();
   ExitCode worst = ExitCode::kSuccess;
   for (std::size_t i = 0; i < options.sketches.size() && !execution.IsCancelled(); ++i) {

@@ -10,6 +10,7 @@
 #include "picture_arguments.h"
 #include "render_arguments.h"
 #include "version.h"
+#include "volume_arguments.h"
 
 namespace lascaux {
 namespace {
@@ -22,6 +23,8 @@ Examples:
   lascaux build cat.svg -o cat.stl --size 80 --resolution 512
   lascaux inspect cat.svg -o parse.svg
   lascaux build photo.jpg -o cat.stl
+  lascaux build cat.svg -o cat.vdb --for blender --color
+  lascaux build cat.svg -o - | ssh farm 'cat > cat.vdb'
   lascaux trace photo.jpg -o cat.svg
   lascaux render cat.vdb -o views.png --contact-sheet
   lascaux check cat.stl
@@ -98,7 +101,8 @@ void AddBuild(CLI::App& app, CommandLine& line) {
   app.add_option("-o,--output", options.outputs,
                  "A file to write, again for each more: .vdb .stl .3mf .glb .obj .ply .usda .png "
                  ".exr .json "
-                 "(report) .svg (how the drawing was read); {} stands for the sketch's name")
+                 "(report) .svg (how the drawing was read); {} stands for the sketch's name, - for "
+                 "standard output (as .vdb)")
       ->type_name("FILE")
       ->take_all()
       ->allow_extra_args(false);
@@ -132,11 +136,7 @@ void AddBuild(CLI::App& app, CommandLine& line) {
       ->transform(CLI::Transformer(std::map<std::string, OutlineFit>{
           {"outline", OutlineFit::kExact}, {"none", OutlineFit::kNone}}))
       ->type_name("HOW");
-  app.add_option("--units", options.write.unit,
-                 "Unit of .vdb, .obj, .ply and .usda: mm, cm or m (default m)")
-      ->transform(CLI::Transformer(std::map<std::string, Unit>{
-          {"mm", Unit::kMillimetre}, {"cm", Unit::kCentimetre}, {"m", Unit::kMetre}}))
-      ->type_name("UNIT");
+  AddVolume(app, options.write);
   AddViews(app, pipeline.preview.views);
   AddPictureSize(app, "--picture-size", pipeline.preview.render);
   AddBackground(app, pipeline.preview.render);

@@ -6,6 +6,7 @@
 #include "lascaux/base/execution.h"
 #include "lascaux/base/outcome.h"
 #include "lascaux/io/write_vdb_options.h"
+#include "lascaux/volume/model_volume.h"
 #include "lascaux/volume/narrow_band.h"
 #include "lascaux/volume/picture.h"
 #include "lascaux/volume/render_options.h"
@@ -19,7 +20,7 @@
 namespace lascaux {
 
 struct GridPlugin {
-  Diagnostics (*write_vdb)(const std::filesystem::path& path, const NarrowBand& band,
+  Diagnostics (*write_vdb)(const std::filesystem::path& path, const ModelVolume& volume,
                            const WriteVdbOptions& options, const Execution& execution);
   /// A picture for each of the options.
   Outcome<std::vector<Picture>> (*render)(const NarrowBand& band,

@@ -108,16 +108,18 @@ Outcome<std::vector<OutputRequest>> ReadOutputNames(Verb verb,
   std::vector<OutputRequest> requests;
   Diagnostics errors;
   for (const std::string& name : names) {
-    if (name == "-" && verb == Verb::kCheck) {
-      requests.push_back({OutputKind::kReport, name});
+    const VerbFormats formats = FormatsOf(verb);
+    if (name == "-" && (verb == Verb::kCheck || verb == Verb::kBuild)) {
+      requests.push_back({verb == Verb::kCheck ? OutputKind::kReport : OutputKind::kVdb, name});
       continue;
     }
     if (name == "-") {
-      errors.push_back(Usage("stdout-output", "-o - : models are written to files; name one"));
+      errors.push_back(Usage(
+          "stdout-output",
+          fmt::format("-o -: {} writes to files; name one of {}", formats.verb, formats.list)));
       continue;
     }
     const std::string ending = LowerCaseEnding(name);
-    const VerbFormats formats = FormatsOf(verb);
     const auto kind = KindOf(formats.endings, ending);
     if (kind) {
       requests.push_back({*kind, name});

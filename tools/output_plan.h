@@ -64,6 +64,9 @@ struct OutputTarget {
   std::filesystem::path path;
 };
 
+/// True for what goes to standard output: the path "-". A file of this name is "./-".
+inline bool IsStandardOutput(const OutputTarget& target) { return target.path == "-"; }
+
 /// True when one of them holds more of a picture than its colours.
 bool HasLayers(const std::vector<OutputTarget>& targets);
 
@@ -73,8 +76,8 @@ std::string SketchName(const std::string& sketch);
 /// What the verbs of the program write: an ending stands for a format.
 enum class Verb : std::uint8_t { kBuild, kInspect, kTrace, kRender, kCheck };
 
-/// The formats that the names' endings ask for; "-" is standard output for the one format of
-/// kCheck. Errors: "unknown-format", "stdout-output".
+/// The formats that the names' endings ask for. "-" is standard output: of kBuild for a .vdb, of
+/// kCheck for its report. Errors: "unknown-format", "stdout-output" (for the other verbs).
 Outcome<std::vector<OutputRequest>> ReadOutputNames(Verb verb,
                                                     const std::vector<std::string>& names);
 

@@ -50,7 +50,7 @@ Diagnostic Summary(const Model& model, const std::vector<OutputTarget>& targets)
   if (model.mesh) text += "; " + MeshSentence(model);
   const char* separator = "; wrote ";
   for (const OutputTarget& target : targets) {
-    text += separator + target.path.string();
+    text += separator + (IsStandardOutput(target) ? "to standard output" : target.path.string());
     separator = ", ";
   }
   if (targets.empty()) text += "; nothing was asked to be written (-o FILE)";

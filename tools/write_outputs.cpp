@@ -1,12 +1,17 @@
 #include "write_outputs.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <optional>
 
 #include "curves_file.h"
 #include "grid.h"
+#include "grid_plugin.h"
 #include "lascaux/io/output_file.h"
+#include "lascaux/io/stream_file.h"
 #include "lascaux/io/write_3mf.h"
 #include "lascaux/io/write_band_vdb.h"
 #include "lascaux/io/write_glb.h"
@@ -14,6 +19,7 @@
 #include "lascaux/io/write_ply.h"
 #include "lascaux/io/write_stl.h"
 #include "lascaux/io/write_usda.h"
+#include "mesh_details_of.h"
 #include "parse_dump.h"
 #include "parse_picture.h"
 #include "picture_file.h"
@@ -26,12 +32,20 @@ namespace fs = std::filesystem;
 
 /// The .vdb among the targets as it is called from the folder of `from`; empty when there is none.
 std::string VolumeBeside(const std::vector<OutputTarget>& targets, const fs::path& from) {
-  const auto vdb = std::find_if(targets.begin(), targets.end(),
-                                [](const auto& t) { return t.kind == OutputKind::kVdb; });
+  const auto vdb = std::find_if(targets.begin(), targets.end(), [](const auto& t) {
+    return t.kind == OutputKind::kVdb && !IsStandardOutput(t);
+  });
   if (vdb == targets.end()) return {};
   const fs::path folder = fs::absolute(from).parent_path();
   const std::string path = fs::absolute(vdb->path).lexically_relative(folder).generic_string();
   return path.starts_with("..") ? path : "./" + path;
+}
+
+/// "body,limb-1,limb-1-far": the index of a name is the number of the part.
+std::string NamesOf(const std::vector<MeshPart>& parts) {
+  std::string names;
+  for (const MeshPart& part : parts) names += (names.empty() ? "" : ",") + part.name;
+  return names;
 }
 
 /// The writers of a run's files.
@@ -45,8 +59,7 @@ struct Writer {
   Diagnostics Write(const OutputTarget& target, const fs::path& path) const {
     switch (target.kind) {
       case OutputKind::kVdb:
-        return WriteBandVdb(path, model.grid->surface,
-                            {.unit = options.unit, .metadata = options.metadata});
+        return WriteVolume(path);
       case OutputKind::kPng:
       case OutputKind::kExr:
         return WritePicture(path, *model.preview, target.kind);
@@ -66,6 +79,29 @@ struct Writer {
   }
 
  private:
+  UsdaOptions StageOptions(const OutputTarget& target, const MeshFileOptions& file) const {
+    UsdaOptions stage{file};
+    stage.volume = VolumeBeside(targets, target.path);
+    stage.volume_up = options.volume.up;
+    if (options.volume.companions.fog) stage.fog = true;
+    return stage;
+  }
+
+  Diagnostics WriteVolume(const fs::path& path) const {
+    const VolumeOptions& volume = options.volume;
+    const std::vector<MeshPart> parts = FieldPartsOf(model);
+    WriteVdbOptions file{options.unit, volume.up, volume.floats, options.metadata};
+    file.metadata.emplace_back("lascaux_parts", NamesOf(parts));
+    if (!NeedsOpenVdb(volume)) {
+      const NarrowBand& surface = model.grid->surface;
+      return WriteBandVdb(path, volume.up == UpAxis::kY ? surface : TurnedZUp(surface), file);
+    }
+    const ModelVolume contents{model.grid->surface, *model.field,      parts,
+                               model.lift,          volume.companions, volume.up};
+    const auto& plugin = LoadGridPlugin();
+    return plugin ? (*plugin)->write_vdb(path, contents, file, execution) : plugin.diagnostics();
+  }
+
   Diagnostics WriteMesh(const OutputTarget& target, const fs::path& path) const {
     const MeshFileOptions file{options.unit, options.name, options.metadata};
     switch (target.kind) {
@@ -78,8 +114,7 @@ struct Writer {
       case OutputKind::kPly:
         return WritePly(path, *model.mesh, *model.details, file);
       case OutputKind::kUsda:
-        return WriteUsda(path, *model.mesh, *model.details,
-                         {file, VolumeBeside(targets, target.path)});
+        return WriteUsda(path, *model.mesh, *model.details, StageOptions(target, file));
       default:
         return WriteStl(path, *model.mesh);
     }
@@ -107,8 +142,12 @@ void WriteOutputs(Model& model, const std::vector<OutputTarget>& targets,
   const bool failed = HasError(model.diagnostics);
   const Writer writer{model, targets, options, execution};
   OutputSet files;
+  std::optional<StreamFile> stream;
+  const auto add = [&](const OutputTarget& target) {
+    return IsStandardOutput(target) ? stream.emplace().path() : files.Add(target.path);
+  };
   const auto write = [&](const OutputTarget& target) {
-    auto path = files.Add(target.path).MoveInto(model.diagnostics);
+    auto path = add(target).MoveInto(model.diagnostics);
     return path && Log(writer.Write(target, *path), model) && !Interrupted(execution, model);
   };
   const auto is_report = [](const OutputTarget& t) { return t.kind == OutputKind::kReport; };
@@ -121,6 +160,9 @@ void WriteOutputs(Model& model, const std::vector<OutputTarget>& targets,
     model.timings.total += milliseconds;
   for (const OutputTarget& target : targets)  // last: they hold what the others had to say
     if (is_report(target) && !write(target)) return;
+  // First what may fail with somebody else: files that appear can't be told from those of a
+  // success.
+  if (stream && !Log(stream->SendTo(STDOUT_FILENO), model)) return;
   Log(files.Commit(), model);
 }
 

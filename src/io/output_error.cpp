@@ -30,6 +30,8 @@ std::string Remedy(const std::filesystem::path& path, int error_number) {
       return "make room on the disk, or write to another";
     case EFBIG:
       return "raise the limit on file sizes (ulimit -f), or lower the resolution";
+    case EPIPE:
+      return "whoever reads it stopped before the end";
     case ENAMETOOLONG:
       return "choose a shorter name";
     default:

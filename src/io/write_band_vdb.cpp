@@ -117,7 +117,7 @@ class BandFile {
     for (int i = 0; i < 36; ++i) file_.Number('0');
     std::map<std::string, std::string> metadata(options_.metadata.begin(), options_.metadata.end());
     metadata.emplace("units", Name(options_.unit));
-    metadata.emplace("up_axis", "Y");
+    metadata.emplace("up_axis", Name(options_.up));
     file_.Number(static_cast<std::uint32_t>(metadata.size()));
     for (const auto& [key, value] : metadata) file_.Entry(key, value);
     file_.Number(std::int32_t{1});  // grid

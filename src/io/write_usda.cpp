@@ -118,16 +118,32 @@ void AddMesh(TextBatch& text, const Mesh& mesh, const MeshDetails& details,
   if (!details.triangle_parts.empty()) AddColors(text, details);
 }
 
-void AddVolume(TextBatch& text, const Eigen::AlignedBox3f& box, const UsdaOptions& options) {
-  text << "\n    def Volume \"volume\"\n    {\n";
-  AddExtent(text, box);
-  text << "        uniform token purpose = \"guide\"\n"
-       << "        rel field:surface = </" << Identifier(options.name) << "/volume/surface>\n\n"
-       << "        def OpenVDBAsset \"surface\"\n        {\n"
+void AddField(TextBatch& text, std::string_view name, const UsdaOptions& options) {
+  text << "\n        def OpenVDBAsset \"" << name << "\"\n        {\n"
        << "            asset filePath = " << AssetPath(options.volume) << '\n'
-       << "            token fieldName = \"surface\"\n"
-       << "            token fieldClass = \"levelSet\"\n"
-       << "        }\n    }\n";
+       << "            token fieldName = \"" << name << "\"\n"
+       << "            token fieldClass = \"" << (name == "surface" ? "levelSet" : "fogVolume")
+       << "\"\n        }\n";
+}
+
+void AddVolume(TextBatch& text, const Eigen::AlignedBox3f& stage, const UsdaOptions& options) {
+  Eigen::AlignedBox3f box = stage;
+  text << "\n    def Volume \"volume\"\n    {\n";
+  if (options.volume_up == UpAxis::kZ) {
+    text << "        float xformOp:rotateX = -90\n"
+         << "        uniform token[] xformOpOrder = [\"xformOp:rotateX\"]\n";
+    box = Eigen::AlignedBox3f(ToPrintFrame(stage.min()));
+    box.extend(ToPrintFrame(stage.max()));
+  }
+  AddExtent(text, box);
+  text << "        uniform token purpose = \"guide\"\n";
+  std::vector<std::string_view> fields = {"surface"};
+  if (options.fog) fields.emplace_back("density");
+  for (const std::string_view field : fields)
+    text << "        rel field:" << field << " = </" << Identifier(options.name) << "/volume/"
+         << field << ">\n";
+  for (const std::string_view field : fields) AddField(text, field, options);
+  text << "    }\n";
 }
 
 }  // namespace

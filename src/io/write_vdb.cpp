@@ -12,43 +12,43 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <type_traits>
 
-#include "io/file_writer.h"
-#include "lascaux/io/content_hash.h"
+#include "io/vdb_conventions.h"
 #include "lascaux/io/output_file.h"
+#include "lascaux/volume/narrow_band.h"
 #include "volume/arena.h"
 
 namespace lascaux {
 namespace {
 
-constexpr double kBandVoxels = 3;  // half width that tools::checkLevelSet asks for
-
-/// Maps whose determinant is below this are refused by OpenVDB: three times its Tolerance<double>.
-constexpr double kSmallestDeterminant = 3e-15;
-
-// Where the random id stands in a file: after the magic number, the versions and the flag for
-// offsets.
-constexpr std::size_t kIdOffset = 21, kIdLength = 36;
+using Half = openvdb::math::half;
+constexpr float kLargestHalf = 65504;
 
 /// Opens the writer of io::File to streams in memory, where it can be hashed and cannot fail
 /// half-way.
 class MemoryArchive : public openvdb::io::Archive {
  public:
-  std::string Encode(const openvdb::GridBase::ConstPtr& grid, const openvdb::MetaMap& metadata) {
-    setCompression(openvdb::io::COMPRESS_ACTIVE_MASK);
+  std::string Encode(const openvdb::GridCPtrVec& grids, const openvdb::MetaMap& metadata) {
+    // Zip is for what is neither level set nor fog volume: OpenVDB leaves it out for these, whose
+    // digits it hardly shortens. Colours become a hundredth.
+    setCompression(openvdb::io::COMPRESS_ACTIVE_MASK | openvdb::io::COMPRESS_ZIP);
     std::ostringstream stream(std::ios::binary);
-    write(stream, openvdb::GridCPtrVec{grid}, /*seekable=*/true, metadata);
+    write(stream, grids, /*seekable=*/true, metadata);
     return std::move(stream).str();
   }
 };
 
-/// The smallest float that is at least 3 voxels when divided by the voxel size in double precision.
-float Background(double voxel_size) {
-  auto background = static_cast<float>(kBandVoxels * voxel_size);
-  while (background / voxel_size < kBandVoxels) {
+float Stored(float value, VdbFloats floats) {
+  return floats == VdbFloats::kHalf ? static_cast<float>(Half(value)) : value;
+}
+
+/// The smallest number as it is stored that is at least 3 voxels (VdbBackground).
+float Background(double voxel_size, VdbFloats floats) {
+  float background = VdbBackground(voxel_size);
+  while (Stored(background, floats) / voxel_size < kBandVoxels)
     background = std::nextafter(background, std::numeric_limits<float>::infinity());
-  }
-  return background;
+  return Stored(background, floats);
 }
 
 /// Multiplies distances by `factor` and sets everything outside the band to plus or minus
@@ -68,68 +68,78 @@ void ScaleValues(openvdb::FloatTree& tree, double factor, float background) {
 }
 
 /// A copy of the grid in the unit of the scene.
-openvdb::FloatGrid::Ptr SceneGrid(const openvdb::FloatGrid& grid, Unit unit) {
-  const auto tree = std::make_shared<openvdb::FloatTree>(grid.tree());
-  const auto scene = openvdb::FloatGrid::create(tree);
-  const auto transform = grid.transform().copy();
-  transform->postScale(PerMillimetre(unit));
-  scene->setTransform(transform);
-  scene->setName("surface");
-  scene->setGridClass(openvdb::GRID_LEVEL_SET);
-  ScaleValues(*tree, PerMillimetre(unit), Background(scene->voxelSize().x()));
+template <typename Grid>
+openvdb::GridBase::Ptr SceneGrid(const Grid& grid, const WriteVdbOptions& options) {
+  const typename Grid::Ptr scene = grid.deepCopy();
+  const double factor = PerMillimetre(options.unit);
+  scene->transform().postScale(factor);
+  if (options.floats == VdbFloats::kHalf) scene->setSaveFloatAsHalf(true);
+  if constexpr (std::is_same_v<Grid, openvdb::FloatGrid>) {
+    if (grid.getGridClass() == openvdb::GRID_LEVEL_SET)
+      ScaleValues(scene->tree(), factor, Background(scene->voxelSize().x(), options.floats));
+  }
+  return scene;
+}
+
+openvdb::GridCPtrVec SceneGrids(const openvdb::GridCPtrVec& grids, const WriteVdbOptions& options) {
+  openvdb::GridCPtrVec scene;
+  for (const openvdb::GridBase::ConstPtr& grid : grids) {
+    const auto floats = openvdb::gridConstPtrCast<openvdb::FloatGrid>(grid);
+    const auto copy =
+        floats ? SceneGrid(*floats, options)
+               : SceneGrid(*openvdb::gridConstPtrCast<openvdb::Vec3SGrid>(grid), options);
+    if (scene.empty()) copy->setName("surface");
+    scene.push_back(copy);
+  }
   return scene;
 }
 
 openvdb::MetaMap FileMetadata(const WriteVdbOptions& options) {
   openvdb::MetaMap metadata;
   metadata.insertMeta("units", openvdb::StringMetadata(Name(options.unit)));
-  metadata.insertMeta("up_axis", openvdb::StringMetadata("Y"));
+  metadata.insertMeta("up_axis", openvdb::StringMetadata(Name(options.up)));
   for (const auto& [key, value] : options.metadata) {
     metadata.insertMeta(key, openvdb::StringMetadata(value));
   }
   return metadata;
 }
 
-/// Replaces the random id by one in the same form that is hashed from everything else.
-void SetId(std::string& bytes) {
-  bytes.replace(kIdOffset, kIdLength, kIdLength, '0');
-  std::string id = ContentHashText(bytes);
-  for (const unsigned dash : {8U, 13U, 18U, 23U}) id.insert(dash, 1, '-');
-  bytes.replace(kIdOffset, kIdLength, id);
-}
-
-Diagnostic VoxelTooSmall(const std::filesystem::path& path, double voxel_size, Unit unit) {
-  return Error(FailureKind::kOutput, "voxel-too-small",
-               fmt::format("cannot write '{}': OpenVDB refuses voxels of {:.3g} mm in units of {} "
-                           "(least {:.3g} mm); use --units mm, a larger --size or a lower "
-                           "--resolution",
-                           path.string(), voxel_size, Name(unit),
-                           std::cbrt(kSmallestDeterminant) / PerMillimetre(unit)));
+Diagnostic VoxelTooLarge(const std::filesystem::path& path, double voxel_size, Unit unit) {
+  return Error(FailureKind::kOutput, "voxel-too-large",
+               fmt::format("cannot write '{}': three voxels of {:.3g} mm in units of {} are more "
+                           "than 16 bits hold ({}); leave --half out, or use --units m",
+                           path.string(), voxel_size, Name(unit), kLargestHalf));
 }
 
 }  // namespace
 
-Diagnostics WriteVdb(const std::filesystem::path& path, const openvdb::FloatGrid& grid,
+Diagnostics WriteVdb(const std::filesystem::path& path, const openvdb::GridCPtrVec& grids,
                      const WriteVdbOptions& options, const Execution& execution) {
-  const double voxel_size = grid.voxelSize().x();
-  // OpenVDB scales first and multiplies the three sides then: the limit is taken a hair wider than
-  // it does.
-  if (std::pow(voxel_size * PerMillimetre(options.unit), 3) < kSmallestDeterminant * (1 + 1e-9)) {
-    return {VoxelTooSmall(path, voxel_size, options.unit)};
-  }
+  const double voxel_size = grids.front()->voxelSize().x();
+  const double scene_size = voxel_size * PerMillimetre(options.unit);
+  if (Diagnostics error = CheckVdbVoxelSize(path, voxel_size, options.unit); !error.empty())
+    return error;
+  if (options.floats == VdbFloats::kHalf && kBandVoxels * scene_size > kLargestHalf)
+    return {VoxelTooLarge(path, voxel_size, options.unit)};
   std::string bytes;
   try {
     openvdb::initialize();
     RunInArena(execution, [&] {
-      bytes = MemoryArchive().Encode(SceneGrid(grid, options.unit), FileMetadata(options));
+      bytes = MemoryArchive().Encode(SceneGrids(grids, options), FileMetadata(options));
     });
   } catch (const std::exception& error) {
     return {Error(
         FailureKind::kOutput, "cannot-write",
         fmt::format("cannot write '{}': {}; lower the resolution", path.string(), error.what()))};
   }
-  SetId(bytes);
+  SetVdbId(bytes);
   return WriteBytes(path, bytes);
+}
+
+Diagnostics WriteVdb(const std::filesystem::path& path, const openvdb::FloatGrid& grid,
+                     const WriteVdbOptions& options, const Execution& execution) {
+  const openvdb::GridBase::ConstPtr borrowed(openvdb::GridBase::ConstPtr(), &grid);
+  return WriteVdb(path, openvdb::GridCPtrVec{borrowed}, options, execution);
 }
 
 }  // namespace lascaux

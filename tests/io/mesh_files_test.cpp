@@ -112,6 +112,21 @@ TEST(MeshFiles, UsdaRefersToTheVolumeAndEscapesNames) {
   EXPECT_NE(text.find("creator = \"lascaux \\\"test\\\"\""), std::string::npos);
 }
 
+TEST(MeshFiles, UsdaTurnsAVolumeWithZUpAndKnowsItsFog) {
+  const TemporaryFolder folder;
+  UsdaOptions options;
+  options.volume = "a.vdb";
+  options.volume_up = UpAxis::kZ;
+  options.fog = true;
+  ASSERT_TRUE(WriteUsda(folder / "a", SampleSphere(3), {}, options).empty());
+  const std::string text = Contents(folder / "a");
+  const std::string volume = text.substr(text.find("def Volume"));
+  EXPECT_NE(volume.find("xformOp:rotateX = -90"), std::string::npos);
+  EXPECT_NE(volume.find("extent = [(-0.015, -0.017, 0), (0.025, 0.023, 0.04)]"), std::string::npos)
+      << volume;
+  EXPECT_NE(volume.find("rel field:density = </animal/volume/density>"), std::string::npos);
+}
+
 TEST(ReadMesh, ReadsPolygonsNegativeIndicesAndTextFormats) {
   const auto obj = ReadMesh("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf -4/1 -3/2/3 3//7 4\n");
   ASSERT_TRUE(obj.ok());

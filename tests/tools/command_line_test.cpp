@@ -47,6 +47,28 @@ TEST(CommandLine, OptionsOfPicturesSetTheFieldsOfTheRenderer) {
   EXPECT_EQ(preview.render.backdrop, Backdrop::kTransparent);
 }
 
+TEST(CommandLine, ProgramsBringTheirUnitAndVolumeAndWhatIsSaidGoesBefore) {
+  const auto write = [](const Arguments& more) {
+    Arguments arguments = {"build", "a.svg", "-o", "a.vdb"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return Understood(arguments).options.write;
+  };
+  EXPECT_EQ(write({}).volume, VolumeOptions());
+  const WriteOptions unreal = write({"--for", "unreal"});
+  EXPECT_EQ(unreal.unit, Unit::kCentimetre);
+  EXPECT_EQ(unreal.volume.up, UpAxis::kZ);
+  EXPECT_EQ(unreal.volume.floats, VdbFloats::kHalf);
+  EXPECT_EQ(unreal.volume.companions, (Companions{.fog = true}));
+  const WriteOptions mixed = write({"--color", "--units", "mm", "--parts", "--for", "blender"});
+  EXPECT_EQ(mixed.unit, Unit::kMillimetre);
+  EXPECT_EQ(mixed.volume.companions, (Companions{.parts = true, .fog = true, .color = true}));
+  EXPECT_EQ(mixed.volume.floats, VdbFloats::kFull);
+  EXPECT_EQ(write({"--for", "print"}).unit, Unit::kMillimetre);
+  EXPECT_EQ(write({"--for", "houdini"}).volume.up, UpAxis::kY);
+  EXPECT_EQ(write({"--half"}).volume.floats, VdbFloats::kHalf);
+  EXPECT_EQ(Answered({"build", "a.svg", "-o", "a.vdb", "--for", "maya"}).code, ExitCode::kUsage);
+}
+
 TEST(CommandLine, OptionsSetTheFieldsOfTheStages) {
   const CommandLine line =
       Understood({"build",  "a.svg",    "b.svg",  "-o",           "{}.vdb",  "-o",

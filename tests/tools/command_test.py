@@ -77,7 +77,7 @@ class CommandTest(ProgramTest):
 
     def test_wrong_command_lines_are_2(self):
         for arguments in ([], ["build"], ["build", CAT, "--wings", "2"], ["paint", CAT],
-                          ["build", CAT, "-o", "-"], ["build", CAT, "-o", self.folder / "cat.fbx"],
+                          ["inspect", CAT, "-o", "-"], ["build", CAT, "-o", self.folder / "cat.fbx"],
                           ["build", CAT, "--pose", "drawn"], ["build", CAT, CAT, "--overrides", "x"],
                           ["build", CAT, "-o", CAT], ["inspect", CAT],
                           ["build", CAT, "--voxel-size", "1e-5"]):

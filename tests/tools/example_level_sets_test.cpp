@@ -10,6 +10,8 @@
 
 #include "grid.h"
 #include "lascaux/volume/level_set.h"
+#include "lascaux/volume/volume_grids.h"
+#include "mesh_details_of.h"
 #include "run_pipeline.h"
 
 /// The grids of all examples by OpenVDB's own check: with every drawing's crotches and creases.
@@ -39,6 +41,20 @@ TEST(ExampleLevelSets, PassOpenVdbsCheckButForAThousandthOfTheirSlopes) {
     std::printf("%-12s level 8 passes, level 9 fails for %.4f %% of the active voxels\n",
                 name.c_str(), 100 * share);
     EXPECT_LE(share, 1e-3) << name;
+    const ModelVolume volume{model.grid->surface,
+                             *model.field,
+                             FieldPartsOf(model),
+                             model.lift,
+                             {.parts = true, .fog = true}};
+    const auto grids = VolumeGrids(volume);
+    ASSERT_TRUE(grids.ok()) << name;
+    for (std::size_t g = 1; g < grids->size(); ++g) {
+      const auto part = openvdb::gridConstPtrCast<openvdb::FloatGrid>((*grids)[g]);
+      const bool fog = part->getName() == "density";
+      EXPECT_EQ(
+          fog ? openvdb::tools::checkFogVolume(*part) : openvdb::tools::checkLevelSet(*part, 8), "")
+          << name << ' ' << part->getName();
+    }
     ++examples;
   }
   EXPECT_GE(examples, 16);

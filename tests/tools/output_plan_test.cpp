@@ -52,7 +52,21 @@ TEST(OutputPlan, UnknownEndingsAreRefusedWithTheListOfKnownOnes) {
     EXPECT_NE(outcome.diagnostics().front().message.find(".vdb .stl .3mf .glb .obj .ply .usda"),
               std::string::npos);
   }
-  EXPECT_EQ(ReadOutputNames(Verb::kBuild, {"-"}).diagnostics().front().code, "stdout-output");
+}
+
+TEST(OutputPlan, StandardOutputTakesOneVolume) {
+  const auto requests = ReadOutputNames(Verb::kBuild, {"-"});
+  ASSERT_TRUE(requests.ok());
+  EXPECT_EQ((*requests)[0].kind, OutputKind::kVdb);
+  const auto plan = PlanOutputs({"-"}, *requests);
+  ASSERT_TRUE(plan.ok());
+  EXPECT_TRUE(IsStandardOutput((*plan)[0][0]));
+  EXPECT_FALSE(IsStandardOutput({OutputKind::kVdb, "./-"}));
+  EXPECT_EQ(Paths({"a.svg", "b.svg"}, *requests), (Names{"output-name"}));
+  EXPECT_EQ(Paths({"a.svg"}, {{OutputKind::kVdb, "-"}, {OutputKind::kReport, "-"}}),
+            (Names{"output-name"}));
+  for (const Verb verb : {Verb::kInspect, Verb::kTrace, Verb::kRender})
+    EXPECT_EQ(ReadOutputNames(verb, {"-"}).diagnostics().front().code, "stdout-output");
 }
 
 TEST(OutputPlan, BracesStandForTheSketchsNameWithoutItsEnding) {

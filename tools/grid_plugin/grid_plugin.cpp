@@ -5,13 +5,19 @@
 #include "lascaux/io/write_vdb.h"
 #include "lascaux/volume/level_set.h"
 #include "lascaux/volume/render.h"
+#include "lascaux/volume/volume_grids.h"
 
 namespace lascaux {
 namespace {
 
-Diagnostics WriteBand(const std::filesystem::path& path, const NarrowBand& band,
-                      const WriteVdbOptions& options, const Execution& execution) {
-  return WriteVdb(path, *ToLevelSet(band, execution), options, execution);
+Diagnostics WriteVolume(const std::filesystem::path& path, const ModelVolume& volume,
+                        const WriteVdbOptions& options, const Execution& execution) {
+  Diagnostics log;
+  const auto grids = VolumeGrids(volume, execution).MoveInto(log);
+  if (!grids) return log;
+  const Diagnostics written = WriteVdb(path, *grids, options, execution);
+  log.insert(log.end(), written.begin(), written.end());
+  return log;
 }
 
 Outcome<std::vector<Picture>> RenderBand(const NarrowBand& band,
@@ -33,6 +39,6 @@ Outcome<std::vector<Picture>> RenderBand(const NarrowBand& band,
 
 extern "C" {
 __attribute__((visibility("default"))) extern const lascaux::GridPlugin lascaux_grid_plugin;
-const lascaux::GridPlugin lascaux_grid_plugin = {lascaux::WriteBand, lascaux::RenderBand,
+const lascaux::GridPlugin lascaux_grid_plugin = {lascaux::WriteVolume, lascaux::RenderBand,
                                                  lascaux::RunRender};
 }
