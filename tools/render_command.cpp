@@ -128,7 +128,8 @@ class Job {
       for (const PictureFile& file : PicturesOf(pictures, target, columns)) {
         const auto path = files.Add(file.path).MoveInto(log);
         if (!path) return;
-        const Diagnostics errors = WritePicture(*path, file.picture, target.kind);
+        const Diagnostics errors =
+            InNameOf(file.path, *path, WritePicture(*path, file.picture, target.kind));
         log.insert(log.end(), errors.begin(), errors.end());
         if (HasError(errors)) return;
       }

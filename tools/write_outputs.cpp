@@ -148,7 +148,8 @@ void WriteOutputs(Model& model, const std::vector<OutputTarget>& targets,
   };
   const auto write = [&](const OutputTarget& target) {
     auto path = add(target).MoveInto(model.diagnostics);
-    return path && Log(writer.Write(target, *path), model) && !Interrupted(execution, model);
+    return path && Log(InNameOf(target.path, *path, writer.Write(target, *path)), model) &&
+           !Interrupted(execution, model);
   };
   const auto is_report = [](const OutputTarget& t) { return t.kind == OutputKind::kReport; };
   {

@@ -18,12 +18,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One output. `backup` is the old file's second name while targets are being replaced, empty where
-/// there was none.
+/// One output.
 struct Entry {
   fs::path target;
-  fs::path temporary;
-  fs::path backup;
+  fs::path temporary;   ///< what to write to
+  int descriptor = -1;  ///< of a temporary file that has no name; -1 when it has one
+  fs::path backup;      ///< the old file's second name while targets are being replaced
   bool replaced = false;
 };
 
@@ -49,8 +49,25 @@ int Obstacle(const fs::path& target, struct stat& status) {
   return access(target.c_str(), W_OK) == 0 ? 0 : errno;
 }
 
+/// Creates a temporary file without a name in the target's folder, which is gone when the program
+/// is, even when it is killed. False where the file system has none.
+bool CreateNameless(Entry& entry, mode_t rights) {
+  const fs::path folder = entry.target.has_parent_path() ? entry.target.parent_path() : ".";
+  const int descriptor = open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+  if (descriptor < 0) return false;
+  if (rights != 0) static_cast<void>(fchmod(descriptor, rights));
+  entry.temporary = "/proc/self/fd/" + std::to_string(descriptor);
+  if (access(entry.temporary.c_str(), W_OK) != 0) {  // there is no /proc
+    close(descriptor);
+    return false;
+  }
+  entry.descriptor = descriptor;
+  return true;
+}
+
 /// Creates the empty temporary file of an entry; an error number, 0 for done.
 int Create(Entry& entry, mode_t rights) {
+  if (CreateNameless(entry, rights)) return 0;
   for (;;) {
     entry.temporary = NameBeside(entry.target);
     const int descriptor =
@@ -62,6 +79,20 @@ int Create(Entry& entry, mode_t rights) {
     if (rights != 0) static_cast<void>(fchmod(descriptor, rights));
     return close(descriptor) == 0 ? 0 : errno;
   }
+}
+
+/// Gives a complete temporary file a name, if it has none; an error number, 0 for done.
+int GiveName(Entry& entry) {
+  while (entry.descriptor >= 0) {
+    const fs::path name = NameBeside(entry.target);
+    if (linkat(AT_FDCWD, entry.temporary.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) {
+      close(std::exchange(entry.descriptor, -1));
+      entry.temporary = name;
+    } else if (errno != EEXIST) {
+      return errno;
+    }
+  }
+  return 0;
 }
 
 /// Gives the old file at the target a second name; an error number, 0 for done or for nothing
@@ -96,7 +127,12 @@ struct OutputSet::State {
   std::vector<Entry> entries;
 
   ~State() {
-    for (const Entry& entry : entries) unlink(entry.temporary.c_str());
+    for (const Entry& entry : entries) {
+      if (entry.descriptor >= 0)
+        close(entry.descriptor);
+      else
+        unlink(entry.temporary.c_str());
+    }
   }
 };
 
@@ -113,7 +149,7 @@ Outcome<fs::path> OutputSet::Add(const fs::path& target) {
   }
   // The file behind a link is replaced, not the link; and one file by two names is one target.
   std::error_code ignored;
-  Entry entry{fs::weakly_canonical(target, ignored), {}, {}, false};
+  Entry entry{fs::weakly_canonical(target, ignored), {}, -1, {}, false};
   if (entry.target.empty()) entry.target = target;
   const auto same = [&](const Entry& other) { return other.target == entry.target; };
   if (std::any_of(state_->entries.begin(), state_->entries.end(), same)) {
@@ -133,6 +169,9 @@ Diagnostics OutputSet::Commit() {
     return Diagnostics{CannotWrite(entry.target, error)};
   };
   for (Entry& entry : state->entries) {
+    if (const int error = GiveName(entry); error != 0) return fail(entry, error);
+  }
+  for (Entry& entry : state->entries) {
     if (const int error = KeepOld(entry); error != 0) return fail(entry, error);
   }
   for (Entry& entry : state->entries) {
@@ -145,6 +184,15 @@ Diagnostics OutputSet::Commit() {
   // Their names are free now: another set may use them.
   state->entries.clear();
   return {};
+}
+
+Diagnostics InNameOf(const fs::path& target, const fs::path& written, Diagnostics found) {
+  for (Diagnostic& diagnostic : found) {
+    std::string& text = diagnostic.message;
+    if (const std::size_t at = text.find(written.string()); at != std::string::npos)
+      text.replace(at, written.string().size(), target.string());
+  }
+  return found;
 }
 
 }  // namespace lascaux

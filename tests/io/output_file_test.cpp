@@ -69,25 +69,31 @@ TEST(OutputSet, ReplacesOldFilesAndKeepsTheirRights) {
 }
 
 TEST(OutputSet, IfOneTargetFailsAllStayAsTheyWere) {
-  // The last target becomes a folder between Add and Commit; then the first's temporary file is
-  // lost.
-  for (const bool lose_temporary : {false, true}) {
+  // The last target becomes a folder between Add and Commit; then its own folder is lost.
+  for (const bool lose_folder : {false, true}) {
     const TemporaryFolder folder;
     ASSERT_TRUE(WriteBytes(folder / "a", "old").empty());
+    std::filesystem::create_directory(folder / "d");
     OutputSet files;
     Put(files, folder / "a", "new");
     Put(files, folder / "b", "B");
-    const auto c = files.Add(folder / "c");
-    ASSERT_TRUE(c.ok());
-    if (lose_temporary) {
-      std::filesystem::remove(*c);
+    ASSERT_TRUE(files.Add(folder / "d" / "c").ok());
+    if (lose_folder) {
+      std::filesystem::remove_all(folder / "d");
     } else {
-      std::filesystem::create_directory(folder / "c");
+      std::filesystem::create_directory(folder / "d" / "c");
     }
     ExpectCannotWrite(files.Commit(), "/c'");
     EXPECT_EQ(Contents(folder / "a"), "old");
-    EXPECT_EQ(folder.Names(), lose_temporary ? Names{"a"} : (Names{"a", "c"}));
+    EXPECT_EQ(folder.Names(), lose_folder ? Names{"a"} : (Names{"a", "d"}));
   }
+}
+
+TEST(OutputSet, NothingIsSeenOfFilesThatAreBeingWritten) {
+  const TemporaryFolder folder;
+  OutputSet files;
+  Put(files, folder / "a", "A");
+  EXPECT_EQ(folder.Names(), Names{});  // on Linux's own file systems
 }
 
 TEST(OutputSet, WritesThroughALink) {

@@ -6,6 +6,7 @@
 #include <pugixml.hpp>
 #include <string>
 
+#include "lascaux/io/xml_text.h"
 #include "picture_style.h"
 #include "sample_model.h"
 #include "svg_text.h"

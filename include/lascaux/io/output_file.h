@@ -11,8 +11,8 @@
 
 namespace lascaux {
 
-/// The outputs of one run: each is written to a temporary file beside its target, all are renamed
-/// together by Commit().
+/// The outputs of one run: each is written to a temporary file, all are renamed together by
+/// Commit().
 ///
 /// A set that is destroyed without Commit(), or whose Commit() failed, removes its temporary files,
 /// so a program that unwinds on a signal leaves nothing behind. All errors have the code
@@ -25,8 +25,10 @@ class OutputSet {
   OutputSet(OutputSet&&) noexcept;
   OutputSet& operator=(OutputSet&&) noexcept;
 
-  /// A path in the folder of `target` to write to: an empty file that exists by now, with the
-  /// rights of the file that it will replace.
+  /// A path to write to: an empty file on the disk of `target` that exists by now, with the rights
+  /// of the file that it will replace. On Linux's own file systems it has no name until Commit(),
+  /// so that nothing of it is left even when the program is killed; on others it is hidden beside
+  /// the target.
   ///
   /// Errors: the folder is missing or may not be written to; a folder, a device or a
   /// write-protected file is in the way; the target is in the set already.
@@ -43,6 +45,10 @@ class OutputSet {
   struct State;
   std::unique_ptr<State> state_;
 };
+
+/// What a writer found, with the target's name in place of the path that it wrote to.
+Diagnostics InNameOf(const std::filesystem::path& target, const std::filesystem::path& written,
+                     Diagnostics found);
 
 /// Writes bytes to a file, replacing what was in it, and sees them accepted by the system.
 ///
