@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "json_values.h"
+#include "lascaux/io/xml_text.h"
 #include "svg_text.h"
 
 namespace lascaux {

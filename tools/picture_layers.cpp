@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "lascaux/io/xml_text.h"
+
 namespace lascaux {
 namespace {
 

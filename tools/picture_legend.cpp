@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "lascaux/io/xml_text.h"
 #include "picture_layers.h"
 
 namespace lascaux {

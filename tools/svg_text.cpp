@@ -17,29 +17,6 @@ int DecimalsFor(double diagonal) {
 
 }  // namespace
 
-std::string EscapeXml(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        if (static_cast<unsigned char>(c) >= 0x20) escaped += c;
-    }
-  }
-  return escaped;
-}
-
 SvgNumbers::SvgNumbers(double diagonal) : decimals_(DecimalsFor(diagonal)) {}
 
 std::string SvgNumbers::operator()(double value) const {

@@ -2,18 +2,14 @@
 
 #include <Eigen/Core>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "lascaux/sketch/sketch.h"
 
 /// @file
-/// Writing SVG: numbers, paths, escaped text.
+/// Writing SVG: numbers and paths.
 
 namespace lascaux {
-
-/// Text with the characters that XML reserves escaped, and those that it forbids left out.
-std::string EscapeXml(std::string_view text);
 
 /// Numbers and paths for a picture of a given size: as many decimals as a hundred-thousandth of its
 /// diagonal needs.

@@ -5,42 +5,18 @@
 #include <Eigen/Geometry>
 #include <charconv>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "io/scene_vertices.h"
-#include "io/token.h"
 #include "io/zip_writer.h"
 #include "lascaux/io/output_file.h"
 #include "lascaux/io/write_png.h"
+#include "lascaux/io/xml_text.h"
 
 namespace lascaux {
 namespace {
 
 constexpr const char* kXml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
-
-std::string Escaped(std::string_view text) {
-  std::string escaped;
-  for (const char c : OneLine(text)) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += c;
-    }
-  }
-  return escaped;
-}
 
 template <typename Number>
 void Append(std::string& text, Number number) {
@@ -49,21 +25,21 @@ void Append(std::string& text, Number number) {
 }
 
 void AppendMetadata(std::string& xml, const ThreeMfOptions& options) {
-  xml += fmt::format(" <metadata name=\"Title\">{}</metadata>\n", Escaped(options.name));
+  xml += fmt::format(" <metadata name=\"Title\">{}</metadata>\n", EscapeXml(options.name));
   xml += " <metadata name=\"Application\">Lascaux</metadata>\n";
   std::string description;
   for (const auto& [key, value] : options.metadata)
     description += fmt::format("{}{}: {}", description.empty() ? "" : "; ", key, value);
   // Names of our own would need an XML namespace of our own; readers warn of those they don't know.
   if (!description.empty())
-    xml += fmt::format(" <metadata name=\"Description\">{}</metadata>\n", Escaped(description));
+    xml += fmt::format(" <metadata name=\"Description\">{}</metadata>\n", EscapeXml(description));
 }
 
 void AppendMaterials(std::string& xml, const std::vector<MeshPart>& parts) {
   xml += "  <basematerials id=\"1\">\n";
   for (const MeshPart& part : parts)
     xml += fmt::format("   <base name=\"{}\" displaycolor=\"#{:02X}{:02X}{:02X}\"/>\n",
-                       Escaped(part.name), part.color[0], part.color[1], part.color[2]);
+                       EscapeXml(part.name), part.color[0], part.color[1], part.color[2]);
   xml += "  </basematerials>\n";
 }
 
@@ -108,7 +84,7 @@ std::string ModelXml(const Mesh& mesh, const MeshDetails& details, const ThreeMf
   xml += " <resources>\n";
   const bool parts = !details.triangle_parts.empty();
   if (parts) AppendMaterials(xml, details.parts);
-  xml += fmt::format("  <object id=\"2\" type=\"model\" name=\"{}\"{}>\n", Escaped(options.name),
+  xml += fmt::format("  <object id=\"2\" type=\"model\" name=\"{}\"{}>\n", EscapeXml(options.name),
                      parts ? " pid=\"1\" pindex=\"0\"" : "");
   AppendMesh(xml, mesh, details);
   xml += "  </object>\n </resources>\n <build>\n";

@@ -79,8 +79,8 @@ TEST(SvgText, NumbersKeepAHundredThousandthOfTheDiagonal) {
   EXPECT_EQ(SvgNumbers(0)(1.5), "1.5");
 }
 
-TEST(SvgText, ReservedCharactersAreEscapedAndForbiddenOnesLeftOut) {
-  EXPECT_EQ(EscapeXml("a<b>&\"c\x01"), "a&lt;b&gt;&amp;&quot;c");
+TEST(EscapeXml, ReservedCharactersAreEscapedAndForbiddenOnesAreSpaces) {
+  EXPECT_EQ(EscapeXml("a<b>&\"c\x01\nd"), "a&lt;b&gt;&amp;&quot;c  d");
 }
 
 }  // namespace
