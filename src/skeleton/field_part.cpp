@@ -16,6 +16,9 @@ using Eigen::Vector2d;
 
 /// Coefficients of a depth map along its longer side: a few for each radius of a slender part.
 constexpr double kCells = 40;
+/// Coefficients beyond the part's support on each side: the splines there have their own
+/// neighbours, and not the border's repeated, which would bend tips.
+constexpr int kMargin = 2;
 
 /// The box that the part's field lives in.
 Eigen::AlignedBox2d SupportBox(const std::vector<Chain>& chains) {
@@ -47,8 +50,10 @@ Vector2d Average(const std::vector<DepthStation>& stations, const Vector2d& plac
 }
 
 DepthMap MapOf(const CreaturePart& part, const ModelFrame& frame) {
-  const Eigen::AlignedBox2d box = SupportBox(part.chains);
+  Eigen::AlignedBox2d box = SupportBox(part.chains);
   const double cell = box.sizes().maxCoeff() / kCells;
+  box.min().array() -= kMargin * cell;
+  box.max().array() += kMargin * cell;
   DepthMap map;
   map.cell = frame.scale * cell;
   // Rows run upwards in the model, whose y is up.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "lascaux/skeleton/creature.h"
@@ -29,6 +30,43 @@ template <typename Visit>
 void ForEachDisc(const CreaturePart& part, Visit visit) {
   for (const Chain& chain : part.axis) {
     for (const SkeletonVertex& v : chain.vertices) visit(v);
+  }
+}
+
+/// The least reach of a station, as a share of the way to the nearest one on its chain: tips have
+/// no radius, and a station that reached nowhere would be a spike between its neighbours.
+constexpr double kLeastReach = 0.8;
+/// Steepest slope along a chain that stations carry on: 45 degrees.
+constexpr double kSteepestTilt = 1.0;
+
+/// Stations of one chain, the first of them `stations[0]`, carry on how the depth changes along it:
+/// averages of depths alone would be steps, and turn back towards the middle beyond the last disc.
+void CarryOn(std::span<DepthStation> stations) {
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    const DepthStation& before = stations[i > 0 ? i - 1 : i];
+    const DepthStation& after = stations[std::min(i + 1, stations.size() - 1)];
+    const Eigen::Vector2d way = after.position - before.position;
+    const double squared = way.squaredNorm();
+    if (!(squared > 0)) continue;
+    DepthStation& here = stations[i];
+    here.tilt = (after.z - before.z) / squared * way;
+    const double slope = here.tilt.norm();
+    if (slope > kSteepestTilt) here.tilt *= kSteepestTilt / slope;
+    double nearest = way.norm();
+    for (const DepthStation* other : {&before, &after}) {
+      const double distance = (other->position - here.position).norm();
+      if (distance > 0) nearest = std::min(nearest, distance);
+    }
+    here.reach = std::max(here.reach, kLeastReach * nearest);
+  }
+}
+
+/// The same for all chains of a part.
+void CarryOn(CreaturePart& part) {
+  std::size_t first = 0;
+  for (const Chain& chain : part.axis) {
+    CarryOn(std::span(part.stations).subspan(first, chain.vertices.size()));
+    first += chain.vertices.size();
   }
 }
 
@@ -92,6 +130,7 @@ class Placer {
       LimbShape shape = ShapeLimb(part, parts_.parts[Index(part.part)], parent, options_);
       if (shape.pushed > 0) NotePair(part, shape);
       Take(std::move(shape), part);
+      CarryOn(part);
     } else if (role == PartRole::kIsland) {
       Take(ShapeIsland(part, parent), part);
     } else {
@@ -138,6 +177,7 @@ class Placer {
       part.stations.push_back(
           {v.position, v.radius, surface.Middle(v.position), surface.Scale(v.position)});
     });
+    CarryOn(part);
   }
 
   const std::string& NameOf(const CreaturePart& part) const {

@@ -273,7 +273,8 @@ Outcome<Mesh> Extract(const NarrowBand& band, const CompiledField* field,
   if (execution.IsCancelled()) return Result::Failure(cancelled());
   try {
     std::optional<Result> result;
-    RunInArena(execution, [&] { result = KeepLargestShell(Extraction(band, field).Run()); });
+    RunInArena(execution,
+               [&] { result = KeepLargestShell(Extraction(band, field).Run(), band.voxel_size); });
     if (execution.IsCancelled()) return Result::Failure(cancelled());
     return std::move(*result);
   } catch (const std::bad_alloc&) {

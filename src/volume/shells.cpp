@@ -16,6 +16,9 @@ namespace lascaux {
 namespace {
 
 constexpr std::size_t kSingleWarnings = 10;
+/// A piece that is no larger than this, in voxels, is what sampling leaves of a tip or a slit that
+/// is thinner than a voxel: not a part that came off.
+constexpr float kTrace = 2;
 constexpr std::uint32_t kRemoved = std::numeric_limits<std::uint32_t>::max();
 
 struct Shell {
@@ -74,7 +77,22 @@ void Keep(Mesh& mesh, const Shells& found, std::uint32_t kept) {
   }
 }
 
-Diagnostics Warnings(const std::vector<Shell>& shells, std::size_t kept) {
+Diagnostic OfOne(const Shell& shell, float voxel) {
+  const Eigen::Vector3f at = shell.box.center(), size = shell.box.sizes();
+  const char* what = shell.volume > 0 ? "separate piece" : "cavity";
+  if (size.maxCoeff() <= kTrace * voxel) {
+    return Note("crumb-removed",
+                fmt::format("a {} at ({:.4g}, {:.4g}, {:.4g}), no larger than two voxels, was "
+                            "removed; the model is thinner than a voxel ({:.3g}) there",
+                            what, at.x(), at.y(), at.z(), voxel));
+  }
+  return Warning("crumb-removed",
+                 fmt::format("a {} at ({:.4g}, {:.4g}, {:.4g}), {:.3g} x {:.3g} x {:.3g} in size, "
+                             "is not connected with the body's surface and was removed",
+                             what, at.x(), at.y(), at.z(), size.x(), size.y(), size.z()));
+}
+
+Diagnostics Warnings(const std::vector<Shell>& shells, std::size_t kept, float voxel) {
   std::vector<Shell> removed;
   for (std::size_t s = 0; s < shells.size(); ++s) {
     if (s != kept) removed.push_back(shells[s]);
@@ -84,13 +102,7 @@ Diagnostics Warnings(const std::vector<Shell>& shells, std::size_t kept) {
   });
   Diagnostics warnings;
   for (std::size_t i = 0; i < std::min(removed.size(), kSingleWarnings); ++i) {
-    const Eigen::Vector3f at = removed[i].box.center(), size = removed[i].box.sizes();
-    warnings.push_back(Warning(
-        "crumb-removed",
-        fmt::format("a {} at ({:.4g}, {:.4g}, {:.4g}), {:.3g} x {:.3g} x {:.3g} in size, is not "
-                    "connected with the body's surface and was removed",
-                    removed[i].volume > 0 ? "separate piece" : "cavity", at.x(), at.y(), at.z(),
-                    size.x(), size.y(), size.z())));
+    warnings.push_back(OfOne(removed[i], voxel));
   }
   if (removed.size() > kSingleWarnings) {
     warnings.push_back(Warning("crumb-removed",
@@ -102,7 +114,7 @@ Diagnostics Warnings(const std::vector<Shell>& shells, std::size_t kept) {
 
 }  // namespace
 
-Outcome<Mesh> KeepLargestShell(Mesh mesh) {
+Outcome<Mesh> KeepLargestShell(Mesh mesh, double voxel) {
   const Shells found = FindShells(mesh);
   const auto largest =
       std::max_element(found.shells.begin(), found.shells.end(),
@@ -114,7 +126,7 @@ Outcome<Mesh> KeepLargestShell(Mesh mesh) {
   }
   const auto kept = static_cast<std::size_t>(largest - found.shells.begin());
   if (found.shells.size() > 1) Keep(mesh, found, static_cast<std::uint32_t>(kept));
-  return Outcome<Mesh>(std::move(mesh), Warnings(found.shells, kept));
+  return Outcome<Mesh>(std::move(mesh), Warnings(found.shells, kept, static_cast<float>(voxel)));
 }
 
 }  // namespace lascaux

@@ -139,6 +139,26 @@ TEST(PlaceInDepth, LimbsThatRiseLeanOutAndThoseThatLieOnTheBodyFollowIt) {
   EXPECT_LT(high - low, 0.71 * 3);
 }
 
+TEST(PlaceInDepth, APointedEarLeansOutUpToItsTipAndNeverBack) {
+  testing::Drawing drawing = testing::OnlyBody(testing::Ellipse({0, 1}, 4, 2));
+  const int ear = drawing.Add(testing::Ear(), PartRole::kForeground, 0);
+  const Creature beast = Placed(drawing);
+  const Field field = MakeField(beast, {});
+  // The body comes first, and once.
+  ASSERT_EQ(beast.parts[1].part, ear);
+  const FieldPart& shape = field.parts[1];
+  ASSERT_TRUE(shape.depth.has_value());
+  double before = EvaluateDepth(*shape.depth, {0, 1.5}).middle;
+  // Half a voxel beyond the tip, which is at the edge of the part's support, its depth goes on.
+  for (double y = 1.55; y < 3.02; y += 0.05) {
+    const DepthSample depth = EvaluateDepth(*shape.depth, {0, y});
+    EXPECT_GT(depth.middle, before) << "y " << y;
+    EXPECT_GT(depth.middle_gradient.y(), 0.25) << "y " << y;
+    EXPECT_LT(depth.middle_gradient.y(), 0.9) << "y " << y;
+    before = depth.middle;
+  }
+}
+
 TEST(PlaceInDepth, BelliesAreFullerThanBacksAndFinsThin) {
   // An ellipse with a triangle on its back.
   std::vector<Vector2d> ring;

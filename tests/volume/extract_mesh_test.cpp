@@ -18,6 +18,8 @@
 namespace lascaux {
 namespace {
 
+constexpr double kFineVoxel = 0.01;  // of meshes that are made by hand: finer than their pieces
+
 using testing::AnimalField;
 using testing::RandomField;
 using testing::Sphere;
@@ -106,7 +108,7 @@ Mesh ByOpenVdb(const openvdb::FloatGrid& grid) {
     mesh.triangles.push_back({q[0], q[2], q[1]});
     mesh.triangles.push_back({q[0], q[3], q[2]});
   }
-  return *KeepLargestShell(mesh);
+  return *KeepLargestShell(mesh, kFineVoxel);
 }
 
 /// The largest distance of a vertex from the nearest of the other mesh.
@@ -195,6 +197,20 @@ TEST(ExtractMesh, CrumbsAreRemovedWithAWarning) {
   EXPECT_NEAR(CheckMesh(*mesh).volume, 4.0 / 3 * std::numbers::pi, 0.05);
 }
 
+TEST(ExtractMesh, WhatIsSmallerThanTwoVoxelsIsATipsTraceAndNoted) {
+  Field field = SphereField({0, 0, 0}, 1);
+  field.parts.push_back(SphereField({3, 0, 0}, 0.08).parts.front());
+  const auto grid = Rasterise(field, {0.1});
+  ASSERT_TRUE(grid.ok());
+  const auto mesh = ExtractMesh(**grid);
+  ASSERT_TRUE(mesh.ok());
+  ASSERT_EQ(mesh.diagnostics().size(), 1U);
+  EXPECT_EQ(mesh.diagnostics().front().code, "crumb-removed");
+  EXPECT_EQ(mesh.diagnostics().front().severity, Severity::kNote);
+  EXPECT_NE(mesh.diagnostics().front().message.find("thinner than a voxel (0.1)"),
+            std::string::npos);
+}
+
 TEST(ExtractMesh, IsTheSameForAnyNumberOfThreads) {
   const auto grid = Rasterise(AnimalField(), {0.03});
   ASSERT_TRUE(grid.ok());
@@ -218,7 +234,7 @@ TEST(ExtractMesh, StopsWhenCancelled) {
 
 TEST(KeepLargestShell, RemovesCavities) {
   const Mesh cavity = testing::InsideOut(Sphere(3, 0.9F));
-  const auto mesh = KeepLargestShell(testing::Together(cavity, Sphere(3)));
+  const auto mesh = KeepLargestShell(testing::Together(cavity, Sphere(3)), kFineVoxel);
   ASSERT_TRUE(mesh.ok());
   EXPECT_EQ(*mesh, Sphere(3));
   ASSERT_EQ(mesh.diagnostics().size(), 1U);
@@ -231,14 +247,14 @@ TEST(KeepLargestShell, ManyCrumbsAreSummedUp) {
     mesh = testing::Together(
         mesh, testing::Moved(testing::Tetrahedron(), 2.0F * static_cast<float>(i + 1), 0, 0));
   }
-  const auto kept = KeepLargestShell(mesh);
+  const auto kept = KeepLargestShell(mesh, kFineVoxel);
   ASSERT_TRUE(kept.ok());
   EXPECT_EQ(kept.diagnostics().size(), 11U);
   EXPECT_EQ(*kept, Sphere(3));
 }
 
 TEST(KeepLargestShell, AnInsideOutShellAloneIsNoBody) {
-  const auto mesh = KeepLargestShell(testing::InsideOut(Sphere(2)));
+  const auto mesh = KeepLargestShell(testing::InsideOut(Sphere(2)), kFineVoxel);
   ASSERT_FALSE(mesh.ok());
   EXPECT_EQ(mesh.diagnostics().front().code, "empty-mesh");
 }

@@ -97,6 +97,8 @@ struct PlaceInDepthOptions {
 /// its parent's deepest place. Islands are lenses in the surface. What sits on a part out of the
 /// plane has its parent's depths and its mirror image.
 ///
+/// Between the discs of a chain, and beyond its ends, depths go on as they change along it.
+///
 /// Parts that are said to be flat are at most flat_depth times as deep as wide.
 ///
 /// Notes: "pair-close" for a limb that had to move out. Warnings: "part-loose" for a part that

@@ -26,7 +26,8 @@ namespace lascaux {
 ///
 /// Of several shells the one with the largest volume is kept; each other one, and each cavity, is
 /// removed with a warning "crumb-removed" that gives place and size (beyond ten, one warning for
-/// the rest). Errors: "empty-mesh" where the grid has no surface, "out-of-memory", "cancelled".
+/// the rest), or a note where it is no larger than two voxels. Errors: "empty-mesh" where the grid
+/// has no surface, "out-of-memory", "cancelled".
 Outcome<Mesh> ExtractMesh(const NarrowBand& band, const Execution& execution = {});
 
 /// The same, with the vertices on the surface of the field that the band was made of: the mean of
