@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "lascaux/field/field.h"
@@ -13,6 +14,7 @@ class Validator {
   Diagnostics Run(const Field& field) {
     CheckExponent("chain_exponent", field.chain_exponent);
     CheckExponent("part_exponent", field.part_exponent);
+    if (field.gain) CheckGain(*field.gain);
     for (std::size_t i = 0; i < field.parts.size(); ++i) {
       place_ = "part " + std::to_string(i);
       CheckPart(field.parts[i], static_cast<int>(i));
@@ -59,12 +61,27 @@ class Validator {
     }
   }
 
+  /// Coefficients of a table over the plane; none when it has no proper size.
+  template <typename Table>
+  static std::optional<std::size_t> SizeOf(const Table& table) {
+    const bool sized = table.columns > 0 && table.rows > 0 && std::isfinite(table.cell) &&
+                       table.cell > 0 && table.origin.allFinite();
+    if (!sized) return std::nullopt;
+    return static_cast<std::size_t>(table.columns) * static_cast<std::size_t>(table.rows);
+  }
+
+  void CheckGain(const PlanarGain& gain) {
+    constexpr float kMostLog = 32;  // a factor that single precision has room for beside the field
+    if (SizeOf(gain) != gain.coefficients.size()) return Report("has a gain without a proper size");
+    const auto fits = [](float x) { return std::abs(x) <= kMostLog; };
+    if (!std::all_of(gain.coefficients.begin(), gain.coefficients.end(), fits)) {
+      Report("has a gain whose logarithm is outside of -32 to 32");
+    }
+  }
+
   void CheckDepth(const DepthMap& map) {
-    const bool sized = map.columns > 0 && map.rows > 0 && std::isfinite(map.cell) && map.cell > 0 &&
-                       map.origin.allFinite();
-    const std::size_t size =
-        sized ? static_cast<std::size_t>(map.columns) * static_cast<std::size_t>(map.rows) : 0;
-    if (!sized || map.middle.size() != size || map.steepness.size() != size) {
+    const std::optional<std::size_t> size = SizeOf(map);
+    if (size != map.middle.size() || size != map.steepness.size()) {
       return Report("has a depth map without a proper size");
     }
     const auto finite = [](float x) { return std::isfinite(x); };

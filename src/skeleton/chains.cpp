@@ -117,11 +117,13 @@ Chain Refined(const Chain& chain) {
 }
 
 Vector2d EndDirection(const Chain& chain, std::size_t end) {
-  if (chain.vertices.size() < 2) return Vector2d::UnitX();
+  // Ends that coincide still point away from each other, or the two caps would shift the ball.
+  const Vector2d none = end == 0 ? Vector2d(-Vector2d::UnitX()) : Vector2d(Vector2d::UnitX());
+  if (chain.vertices.size() < 2) return none;
   const std::size_t next = end == 0 ? 1 : end - 1;
   const Vector2d d = chain.vertices[end].position - chain.vertices[next].position;
   const double length = d.norm();
-  return length > 0 ? Vector2d(d / length) : Vector2d::UnitX();
+  return length > 0 ? Vector2d(d / length) : none;
 }
 
 FieldChain MakeFieldChain(const Chain& chain, const ModelFrame& frame, double z) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "skeleton/check_creature.h"
 #include "skeleton/extend_outline.h"
 #include "skeleton/fit_part.h"
 #include "skeleton/index.h"
@@ -53,6 +54,9 @@ Outline OutlineOf(const Parts& parts, const Creature& creature, std::size_t inde
 
 Outcome<Creature> FitToDrawing(const Parts& parts, const Creature& creature,
                                const FitOptions& options, const Execution& execution) {
+  if (Diagnostics wrong = CheckCreature(parts, creature); HasError(wrong)) {
+    return Outcome<Creature>::Failure(std::move(wrong));
+  }
   Creature fitted = creature;
   tbb::task_arena arena(execution.threads > 0 ? execution.threads : tbb::task_arena::automatic);
   arena.execute([&] {

@@ -194,6 +194,7 @@ VectorXd Solve(const Linearised& at, double damping, double hold, const VectorXd
 std::vector<Chain> FitChains(const std::vector<Chain>& chains, const Outline& outline,
                              const FitOptions& options) {
   const double diagonal = Diagonal(outline.points);
+  if (!(diagonal > 0)) return chains;  // nothing is drawn
   const std::vector<Target> targets = TargetsOn(
       outline, chains,
       std::min(options.sample_spacing * diagonal, Perimeter(outline.points) / kLeastSamples),
@@ -233,6 +234,7 @@ std::vector<Chain> FitChains(const std::vector<Chain>& chains, const Outline& ou
 FitError MeasureChains(const std::vector<Chain>& chains, const Outline& outline, double spacing) {
   const double diagonal = Diagonal(outline.points);
   FitError error;
+  if (!(diagonal > 0)) return error;
   double count = 0;
   PlanarField field(chains);
   PlanarSample sample;

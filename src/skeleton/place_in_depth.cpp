@@ -10,6 +10,7 @@
 #include "lascaux/skeleton/creature.h"
 #include "skeleton/built_parts.h"
 #include "skeleton/chains.h"
+#include "skeleton/check_creature.h"
 #include "skeleton/index.h"
 #include "skeleton/part_surface.h"
 #include "skeleton/ring.h"
@@ -216,6 +217,9 @@ Creature AssembleCreature(const DepthGraph& graph, const std::vector<Skeleton>& 
 
 Outcome<Creature> PlaceInDepth(const Parts& parts, const DepthGraph& graph, Creature creature,
                                const PlaceInDepthOptions& options) {
+  if (Diagnostics wrong = CheckCreature(parts, creature); HasError(wrong)) {
+    return Outcome<Creature>::Failure(std::move(wrong));
+  }
   return Placer(parts, graph, options).Place(std::move(creature));
 }
 

@@ -212,6 +212,14 @@ TEST(Validate, ReportsABadPrimitiveForEachThingThatNoFieldIsMadeOf) {
     ASSERT_EQ(Validate(field).size(), 1u);
     EXPECT_EQ(Validate(field)[0].code, "bad-primitive");
   }
+  for (const PlanarGain& gain :
+       {PlanarGain{}, PlanarGain{{0, 0}, 1, 1, 1, {NAN}}, PlanarGain{{0, 0}, 1, 1, 1, {33}},
+        PlanarGain{{0, 0}, 1, 2, 1, {0}}, PlanarGain{{kNaN, 0}, 1, 1, 1, {0}}}) {
+    Field field = good;
+    field.gain = gain;
+    ASSERT_EQ(Validate(field).size(), 1u);
+    EXPECT_NE(Validate(field)[0].message.find("gain"), std::string::npos);
+  }
 }
 
 }  // namespace

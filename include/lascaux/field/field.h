@@ -59,8 +59,9 @@ struct Field {
 /// Each names its part, chain and primitive. Refused are: coordinates, radii, weights or depths
 /// that are not finite; a negative radius; a segment whose radii are both 0; a point whose radius
 /// is 0 or whose weight is negative; a depth scale that is not above 0; a depth map that is empty,
-/// not finite or has a steepness that is not above 0; exponents outside of [1, 64]; a parent that
-/// is not an earlier part. Segments of length 0 are fine.
+/// not finite or has a steepness that is not above 0; exponents outside of [1, 64]; a gain that is
+/// empty or whose logarithm is outside of [-32, 32]; a parent that is not an earlier part. Segments
+/// of length 0 are fine.
 Diagnostics Validate(const Field& field);
 
 /// Box outside of which the field is 0; empty for a field without primitives.

@@ -102,7 +102,8 @@ struct PlaceInDepthOptions {
 /// Parts that are said to be flat are at most flat_depth times as deep as wide.
 ///
 /// Notes: "pair-close" for a limb that had to move out. Warnings: "part-loose" for a part that
-/// reaches into its parent at no depth. Cost: about 1 ms.
+/// reaches into its parent at no depth. Errors: "bad-primitive", as of FitToDrawing(). Cost: about
+/// 1 ms.
 Outcome<Creature> PlaceInDepth(const Parts& parts, const DepthGraph& graph, Creature creature,
                                const PlaceInDepthOptions& options = {});
 

@@ -44,6 +44,9 @@ struct FitError {
 /// pieces are the part's own contour. Each part ends no worse, in its largest error, than it began.
 /// Typical largest error: 1 to 6 % before, 0.05 to 0.6 % after. Parts run in parallel; 0.3 ms a
 /// step for a body.
+///
+/// Errors: "bad-primitive" for discs that are not finite or whose radius is not above 0, for parts
+/// without discs and for those that are not in the drawing; each names its part.
 Outcome<Creature> FitToDrawing(const Parts& parts, const Creature& creature,
                                const FitOptions& options = {}, const Execution& execution = {});
 
