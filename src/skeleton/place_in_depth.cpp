@@ -163,6 +163,9 @@ class Placer {
   static void Take(LimbShape shape, CreaturePart& part) {
     part.z = shape.z;
     part.stations = std::move(shape.stations);
+    if (!shape.shoulder) return;
+    part.axis.push_back(*shape.shoulder);
+    part.chains.push_back(std::move(*shape.shoulder));
   }
 
   void Flatten(CreaturePart& part) const {

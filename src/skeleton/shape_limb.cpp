@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "skeleton/smoothstep.h"
 
@@ -30,6 +32,9 @@ constexpr double kThinnest = 0.3, kThinnestFree = 0.9;
 /// has passed it when the depth falls to that share.
 constexpr double kStride = 0.5, kRidge = 0.97;
 constexpr int kStrides = 64;
+/// A shoulder's discs keep within the parent's outline by this share of their distance from it, and
+/// begin where that lets them have this share of the top's radius.
+constexpr double kWithin = 0.9, kLeastShoulder = 0.6;
 /// No limb stands further out of its parent, as a share of that one's half depth: haunches are
 /// flush.
 constexpr double kMostRelief = 0.12;
@@ -111,23 +116,46 @@ class LimbShaper {
 
   double FrontAtTop() const { return front_.value_or(parent_.surface.Middle(top_.position)); }
 
-  /// Depth of the parent where it is deepest on the way on from the limb's tip through its top: up
-  /// the flank that a leg hangs from, to the ridge of the head that a tusk grows out of and no
-  /// further.
-  double Flank() const {
+  /// The deepest place of the parent on the way on from the limb's tip through its top: up the
+  /// flank that a leg hangs from, to the ridge of the head that a tusk grows out of and no further.
+  struct Flank {
+    double depth = 0;
+    std::vector<Vector2d> way;  ///< steps from the top to the place
+  };
+  Flank FindFlank() const {
+    Flank flank{FrontAtTop(), {}};
     const Vector2d way = top_.position - tip_->disc.position;
-    double deepest = FrontAtTop();
-    if (!(way.norm() > 0)) return deepest;
+    if (!(way.norm() > 0)) return flank;
     const Vector2d step = kStride * top_.radius * way.normalized();
     bool entered = front_.has_value();
+    std::vector<Vector2d> passed;
     for (int i = 1; i <= kStrides; ++i) {
-      const std::optional<double> here = parent_.surface.Front(top_.position + i * step);
-      if (entered && (!here || *here < kRidge * deepest)) break;
+      passed.push_back(top_.position + i * step);
+      const std::optional<double> here = parent_.surface.Front(passed.back());
+      if (entered && (!here || *here < kRidge * flank.depth)) break;
       if (!here) continue;
       entered = true;
-      deepest = std::max(deepest, *here);
+      if (*here > flank.depth) flank = {*here, passed};
     }
-    return deepest;
+    return flank;
+  }
+
+  /// Discs from the top up to the flank, at the depth `z`: they are inside of the parent's outline
+  /// and no deeper than `face`.
+  void AddShoulder(const Flank& flank, double z, double face, LimbShape& shape) const {
+    Chain chain;
+    for (const Vector2d& place : flank.way) {
+      const double room = -kWithin * SignedDistanceToRing(parent_.outline, place);
+      if (room < kLeastShoulder * top_.radius) {
+        if (chain.vertices.empty()) continue;
+        break;
+      }
+      const double radius = std::min(room, top_.radius);
+      chain.vertices.push_back({place, radius});
+      const double scale = std::clamp((face - z) / radius, kThinnest, options_.limb_depth);
+      shape.stations.push_back({place, kReach * radius, z, scale});
+    }
+    if (!chain.vertices.empty()) shape.shoulder = std::move(chain);
   }
 
   /// Mean radius where the limb is clear of its parent; of all of it when it is nowhere.
@@ -151,15 +179,19 @@ class LimbShaper {
   }
 
   LimbShape Hanging() {
-    const double flank = Flank(), radius = FreeRadius(), exit = Exit();
+    const Flank on_parent = FindFlank();
+    const double flank = on_parent.depth, radius = FreeRadius(), exit = Exit();
     const double size = std::max(radius, top_.radius);
-    const double root = FrontAtTop() - options_.embed * size;
-    const double root_face = FrontAtTop() + std::min(options_.relief * size, kMostRelief * flank);
     const double wanted = flank - options_.limb_depth * radius;
     const double foot = std::max(wanted, std::min(Apart(radius, options_.limb_depth), flank));
+    const double foot_face = foot + options_.limb_depth * radius;
+    // A root at the belly, where the parent is thin, stands over its foot and has a shoulder.
+    const double surface = FrontAtTop() - options_.embed * size;
+    const double root = std::max(surface, foot);
+    const double root_face =
+        std::max(FrontAtTop() + std::min(options_.relief * size, kMostRelief * flank), foot_face);
     // Smoothstep's steepest slope is 3/2.
     const double way = std::max(exit, 1.5 * std::abs(foot - root) / kSpread);
-    const double foot_face = foot + options_.limb_depth * radius;
     LimbShape shape;
     shape.pushed = (foot - wanted) / radius;
     for (const Place& p : places_) {
@@ -176,6 +208,7 @@ class LimbShaper {
       scale = std::clamp(scale, kThinnest, options_.limb_depth);
       shape.stations.push_back({p.disc.position, kReach * p.disc.radius, z, scale});
     }
+    if (surface < foot) AddShoulder(on_parent, foot, flank, shape);
     return shape;
   }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "lascaux/skeleton/creature.h"
@@ -23,6 +24,7 @@ struct LimbParent {
 struct LimbShape {
   std::vector<DepthStation> stations;  ///< first those of its discs, in the order of the chains
   double z = 0;                        ///< of the free end
+  std::optional<Chain> shoulder;       ///< a further chain, hidden in the parent
   double pushed = 0;  ///< how much further out that is than it would be by itself, in radii there
 };
 

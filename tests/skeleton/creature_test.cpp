@@ -120,6 +120,33 @@ TEST(PlaceInDepth, LegsStandStraightAndFlushWithTheFlank) {
   }
 }
 
+TEST(PlaceInDepth, LegsThatBeginAtTheBellyComeStraightDownOutOfTheFlank) {
+  testing::Drawing drawing = testing::OnlyBody(testing::Ellipse({0, 0}, 4, 2));
+  const int leg = drawing.Add(testing::Capsule({1, 1.9}, {1, 5}, 0.4), PartRole::kForeground, 0);
+  const Creature beast = Placed(drawing);
+  const CreaturePart& part = PartOf(beast, leg);
+  for (const DepthStation& station : part.stations) EXPECT_NEAR(station.z, part.z, 1e-9);
+  ASSERT_EQ(part.chains.size(), 2u);  // the leg, and a shoulder
+  const Field body = MakeField(Creature{{PartOf(beast, 0)}}, {}), field = MakeField(beast, {});
+  const auto front = [](const Field& f, double y) {
+    double z = 3;
+    while (z > 0 && Evaluate(f, {1, -y, z}).value < 1) z -= 2e-3;
+    return z;
+  };
+  // The leg's outer face is flush with the deepest place of the body, and nowhere does the shoulder
+  // stand out by more than the blend.
+  const double flank = front(body, 0.2);
+  EXPECT_NEAR(front(field, 3.5), flank, 0.05 * flank);
+  for (double y = -1.5; y < 0.5; y += 0.25) {
+    EXPECT_LT(front(field, y), 1.05 * flank) << "y " << y;
+  }
+  // No gap on the way up into the body, and from the side no more than body and leg.
+  for (double y = 1.0; y < 5; y += 0.05) EXPECT_GT(Evaluate(field, {1, -y, part.z}).value, 1) << y;
+  for (const SkeletonVertex& v : part.chains.back().vertices) {
+    EXPECT_LE(SignedDistanceToRing(drawing.parts.parts[0].outline.points, v.position), -v.radius);
+  }
+}
+
 TEST(PlaceInDepth, LimbsThatRiseLeanOutAndThoseThatLieOnTheBodyFollowIt) {
   testing::Drawing drawing = testing::OnlyBody(testing::Ellipse({0, 0}, 4, 2));
   const int horn = drawing.Add(testing::Capsule({2, -1}, {2.5, -4}, 0.3), PartRole::kForeground, 0);

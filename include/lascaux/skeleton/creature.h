@@ -51,7 +51,8 @@ struct CreaturePart {
   bool mirrored = false;      ///< there is a second one at -z
   double depth_scale = 1;     ///< thickness in z over thickness in the plane (lambda)
   std::vector<DepthStation> stations = {};  ///< z and depth_scale from place to place; or none
-  std::vector<Chain> axis = {};  ///< the chains before the fit: discs that touch the outline
+  std::vector<Chain> axis = {};  ///< the chains before the fit: discs that touch the outline, and
+                                 ///< shoulders
 
   bool operator==(const CreaturePart&) const = default;
 };
@@ -90,7 +91,9 @@ struct PlaceInDepthOptions {
 /// A limb over its parent has its root in the parent's surface, at the disc nearest its completion
 /// there, and is flattened where it lies on the parent. A hanging one (a leg, an arm) goes out from
 /// there to where its outer face is flush with the deepest place of the parent near it, and on
-/// straight; a rising one (an ear, a horn, a wing) leans out along the parent's normal, by 35
+/// straight; where its root would be nearer to the plane, as at the line of the belly, all of it is
+/// straight and goes up to that place by a chain of discs more (a shoulder), which the parent's
+/// outline hides. A rising one (an ear, a horn, a wing) leans out along the parent's normal, by 35
 /// degrees at most, and is the flatter the shorter it is for its width; one that ends on its parent
 /// lies on it. Where a limb is clear of its parent's outline, its middle keeps (1 + pair_gap / 2)
 /// times its radius in z from the sagittal plane; if it has to, by moving out further, as far as
