@@ -174,6 +174,17 @@ TEST(Limbs, TwoCurvesThatTheContourJoinsAreOneLimb) {
   EXPECT_STREQ(Name(part.root->evidence), "two-curves");
 }
 
+TEST(Limbs, HoovesAreMoreOfTheirLegs) {
+  // A line across each leg; what is below it is over 0.35 % of the animal, and no part by itself.
+  const std::string hooves = R"(<path d="M117,255L141,256"/><path d="M163,255L187,256"/>)";
+  ExpectStructure(kCalf + hooves, {{{130, 250}, PartRole::kForeground},
+                                   {{174, 250}, PartRole::kBackground, Vector2d(130, 250)}});
+  const auto read = ReadDrawing(kCalf + hooves), plain = ReadDrawing(kCalf);
+  ASSERT_TRUE(read && plain);
+  EXPECT_EQ(read->parts.parts.size(), plain->parts.parts.size());
+  EXPECT_EQ(PartAt(*read, {130, 270}), PartAt(*read, {130, 200}));
+}
+
 TEST(Limbs, FarSidesShowWhereNearLimbsAre) {
   ExpectStructure(kGoat, {{{200, 140}, PartRole::kBody},
                           {{130, 250}, PartRole::kForeground},
