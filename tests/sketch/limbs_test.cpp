@@ -185,6 +185,25 @@ TEST(Limbs, HoovesAreMoreOfTheirLegs) {
   EXPECT_EQ(PartAt(*read, {130, 270}), PartAt(*read, {130, 200}));
 }
 
+TEST(Limbs, ASecondOutlineIsNamedByItsPlace) {
+  const auto warnings = [](const std::string& content) {
+    const auto sketch = ReadSvg(Svg(content));
+    const auto map = BuildPlanarMap(*sketch);
+    const auto graph = OrderByDepth(*map, *FindParts(*map));
+    Diagnostics found;
+    for (const Diagnostic& d : graph.diagnostics()) {
+      if (d.code == "outline-apart") found.push_back(d);
+    }
+    return found;
+  };
+  EXPECT_TRUE(warnings(kCalf).empty());
+  const Diagnostics apart = warnings(std::string(kCalf) + R"(<circle cx="420" cy="180" r="40"/>)");
+  ASSERT_EQ(apart.size(), 1u);
+  EXPECT_EQ(apart.front().severity, Severity::kWarning);
+  ASSERT_TRUE(apart.front().at);
+  EXPECT_LT((*apart.front().at - Vector2d(420, 180)).norm(), 1);
+}
+
 TEST(Limbs, FarSidesShowWhereNearLimbsAre) {
   ExpectStructure(kGoat, {{{200, 140}, PartRole::kBody},
                           {{130, 250}, PartRole::kForeground},

@@ -18,6 +18,9 @@ using Index = std::size_t;
 /// A torso whose score is ahead of the next one's by less than this share is a guess.
 constexpr double kSureMargin = 0.2;
 
+/// What lies apart from the animal is worth a word from this share of the torso's area on.
+constexpr double kShowsApart = 0.02;
+
 /// Limbs lie over the part that they were cut from, their far sides under it.
 void PlaceLimbs(const Parts& parts, const std::vector<std::optional<int>>& far_of,
                 DepthGraph& graph) {
@@ -128,6 +131,24 @@ void WarnOfGuesses(const Parts& parts, const DepthGraph& graph, Diagnostics& log
   }
 }
 
+/// Closed outlines that touch the animal nowhere: a second animal, or a tail's tuft.
+void WarnOfOthers(const Parts& parts, const DepthGraph& graph, Diagnostics& log) {
+  const auto area = [&](Index i) { return SignedArea(parts.parts[i].outline.points); };
+  const double body = area(static_cast<Index>(graph.body));
+  for (Index i = 0; i < graph.nodes.size(); ++i) {
+    const bool left_out =
+        graph.nodes[i].role == PartRole::kIgnored && parts.parts[i].kind == PartKind::kBorder;
+    if (!left_out || area(i) < kShowsApart * body) continue;
+    char text[200];
+    std::snprintf(
+        text, sizeof text,
+        "a closed outline of %.0f %% of the torso's area touches the animal nowhere and is "
+        "not built; join it, or give each animal a file of its own",
+        100 * area(i) / body);
+    log.push_back(At(Warning("outline-apart", text), Centroid(parts.parts[i].outline.points)));
+  }
+}
+
 void OrderParentsFirst(DepthGraph& graph) {
   std::vector<bool> done(graph.nodes.size(), false);
   for (bool again = true; again;) {
@@ -169,6 +190,7 @@ Outcome<DepthGraph> OrderByDepth(const PlanarMap& map, const Parts& parts,
   torso.role = PartRole::kBody;
   PlaceCells(map, parts, adjacency, graph);
   PlaceIslands(parts, graph);
+  WarnOfOthers(parts, graph, log);
   auto corrected = ApplyOverrides(parts, std::move(graph), options).MoveInto(log);
   if (!corrected) return Outcome<DepthGraph>::Failure(std::move(log));
   graph = std::move(*corrected);
