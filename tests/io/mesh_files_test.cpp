@@ -164,7 +164,8 @@ TEST(ReadMesh, BadFilesAreInputErrors) {
   const auto glb = [](std::string json) {
     json.resize((json.size() + 3) / 4 * 4, ' ');
     const auto size = static_cast<char>(json.size());
-    return std::string("glTF\2\0\0\0\0\0\0\0", 12) + size + std::string("\0\0\0JSON", 7) + json;
+    std::string file("glTF\2\0\0\0\0\0\0\0", 12);
+    return file.append(1, size).append("\0\0\0JSON", 7).append(json);
   };
   EXPECT_EQ(CodeOf(ReadMesh(glb(R"({"extensionsRequired":["KHR_draco"]})"))), "unsupported-mesh");
   EXPECT_EQ(CodeOf(ReadMesh(glb(R"({"scenes":[{"nodes":[0]}],"nodes":[{"children":[0]}]})"))),
