@@ -186,9 +186,11 @@ ExitCode RunCommand(Verb verb, const CommandOptions& options, const Execution& e
     return ExitCode::kUsage;
   }
   // On time for whoever writes a level set or a picture at the end, beside the drawing's reading.
-  const bool uses_openvdb = std::any_of(
-      plan->begin(), plan->end(),
-      [&options](const auto& targets) { return NeedsOpenVdb(targets, options.write.volume); });
+  const auto needs = [&options](const auto& targets) {
+    return NeedsOpenVdb(targets, options.write.volume);
+  };
+  const bool uses_openvdb =
+      options.pipeline.print.Any() || std::any_of(plan->begin(), plan->end(), needs);
   if (uses_openvdb) PreloadGridPlugin();
   ExitCode worst = ExitCode::kSuccess;
   for (std::size_t i = 0; i < options.sketches.size() && !execution.IsCancelled(); ++i) {

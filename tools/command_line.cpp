@@ -21,6 +21,7 @@ Examples:
   lascaux build cat.svg -o cat.vdb -o cat.stl -o cat.png
   lascaux build *.svg -o 'out/{}.stl' --report 'out/{}.json'
   lascaux build cat.svg -o cat.stl --size 80 --resolution 512
+  lascaux build cat.svg -o cat.3mf --size 120 --base --min-wall 1.2 --hollow 2
   lascaux inspect cat.svg -o parse.svg
   lascaux build photo.jpg -o cat.stl
   lascaux build cat.svg -o cat.vdb --for blender --color
@@ -89,6 +90,30 @@ void AddShared(CLI::App& app, CommandLine& line) {
       ->type_name("FILE");
 }
 
+/// What makes a model fit for a printer.
+void AddPrint(CLI::App& app, PipelineOptions& pipeline) {
+  constexpr double kLeastWall = 0.05, kLargestWall = 1e4;  // mm
+  constexpr std::size_t kFewestFaces = 4;                  // of a closed solid
+  constexpr std::size_t kMostFaces = 1'000'000'000;
+  app.add_option("--min-wall", pipeline.print.min_wall, "Makes what is thinner this thick")
+      ->check(Between(kLeastWall, kLargestWall))
+      ->type_name("MM")
+      ->group("Printing");
+  app.add_flag_callback(
+         "--base", [&pipeline] { pipeline.print.base = Base::kWhenItFalls; },
+         "A plate under the feet, when it would not stand safely")
+      ->group("Printing");
+  app.add_option("--hollow", pipeline.print.hollow,
+                 "A cavity that leaves walls this thick, with a drain downwards")
+      ->check(Between(kLeastWall, kLargestWall))
+      ->type_name("MM")
+      ->group("Printing");
+  app.add_option("--faces", pipeline.faces, "As many triangles at most, if that can be printed")
+      ->check(CLI::Range(kFewestFaces, kMostFaces))
+      ->type_name("N")
+      ->group("Printing");
+}
+
 void AddBuild(CLI::App& app, CommandLine& line) {
   constexpr double kLargestResolution = 8192;      // a model of 8192 voxels takes some 20 GB
   constexpr double kLargestSize = 1e6;             // mm: a kilometre
@@ -120,6 +145,7 @@ void AddBuild(CLI::App& app, CommandLine& line) {
       ->check(Between(kSmallestSize, kLargestSize))
       ->capture_default_str()
       ->type_name("MM");
+  AddPrint(app, pipeline);
   app.add_option("--blend", pipeline.blend,
                  "How sharply parts meet: 1 is the softest, above 8 nearly a crease")
       ->check(Between(1, kLargestBlend))

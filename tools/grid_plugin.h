@@ -9,6 +9,7 @@
 #include "lascaux/volume/model_volume.h"
 #include "lascaux/volume/narrow_band.h"
 #include "lascaux/volume/picture.h"
+#include "lascaux/volume/prepare_print.h"
 #include "lascaux/volume/render_options.h"
 #include "render_command.h"
 
@@ -26,6 +27,8 @@ struct GridPlugin {
   Outcome<std::vector<Picture>> (*render)(const NarrowBand& band,
                                           const std::vector<RenderOptions>& options,
                                           const Execution& execution);
+  Outcome<PreparedPrint> (*prepare_print)(const NarrowBand& band, const Mesh& mesh,
+                                          const PrintOptions& options, const Execution& execution);
   ExitCode (*run_render)(const RenderCommandOptions& options, const Execution& execution);
 };
 

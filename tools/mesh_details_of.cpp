@@ -5,6 +5,7 @@
 
 #include "lascaux/volume/part_of_points.h"
 #include "lascaux/volume/vertex_normals.h"
+#include "record_print.h"
 
 namespace lascaux {
 
@@ -24,12 +25,15 @@ std::vector<MeshPart> FieldPartsOf(const Model& model) {
 MeshDetails MeshDetailsOf(const Model& model, const Execution& execution) {
   MeshDetails details;
   const Eigen::Vector3d to_field(0, -model.lift, 0);
-  details.normals = FieldNormals(*model.mesh, *model.field, to_field, execution);
+  details.normals = model.print_record
+                        ? VertexNormals(*model.mesh)  // the field knows nothing of the changes
+                        : FieldNormals(*model.mesh, *model.field, to_field, execution);
   details.parts = FieldPartsOf(model);
   assert(details.parts.size() == model.field->parts.size());
   details.vertex_parts = PartOfPoints(*model.field, model.mesh->vertices, to_field, execution);
   // What no part reaches belongs to the body.
   std::replace(details.vertex_parts.begin(), details.vertex_parts.end(), kNoPart, std::uint16_t{0});
+  if (model.print_record) MarkPlate(*model.print_record, *model.mesh, details);
   details.triangle_parts = PartsOfTriangles(model.mesh->triangles, details.vertex_parts);
   return details;
 }

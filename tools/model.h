@@ -22,6 +22,7 @@
 #include "lascaux/volume/mesh_details.h"
 #include "lascaux/volume/picture.h"
 #include "print_facts.h"
+#include "print_record.h"
 
 namespace lascaux {
 
@@ -61,6 +62,7 @@ struct Model {
   std::optional<MeshFacts> facts;
   std::optional<MeshDetails> details;  ///< made when an output holds them
   std::optional<PrintFacts> print;     ///< measured for outputs that are printed and for reports
+  std::optional<PrintRecord> print_record;  ///< when it was asked to be changed for printing
   std::optional<Fidelity> fidelity;
   std::optional<Picture> preview;
   Diagnostics diagnostics;

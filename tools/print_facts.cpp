@@ -12,6 +12,12 @@ std::string PlaceText(const Eigen::Vector3d& p) {
   return fmt::format("({:.1f}, {:.1f}, {:.1f})", p.x(), p.y(), p.z());
 }
 
+/// The name of the part that a wall belongs to; empty: unknown.
+std::string PartOf(const std::optional<Wall>& wall, const MeshDetails& details) {
+  if (!wall || details.triangle_parts.empty()) return {};
+  return details.parts[details.triangle_parts[wall->triangle]].name;
+}
+
 }  // namespace
 
 PrintFacts MeasureForPrint(const Mesh& mesh, const MeshDetails& details, double millimetres,
@@ -21,11 +27,16 @@ PrintFacts MeasureForPrint(const Mesh& mesh, const MeshDetails& details, double 
   for (const Eigen::Vector3f& v : mesh.vertices) box.extend(v.cast<double>());
   if (!box.isEmpty()) facts.size = millimetres * box.sizes();
   facts.wall = SmallestWall(mesh, execution);
-  if (facts.wall) {
-    facts.wall->thickness *= millimetres;
-    facts.wall->middle *= millimetres;
-    if (!details.triangle_parts.empty())
-      facts.wall_part = details.parts[details.triangle_parts[facts.wall->triangle]].name;
+  if (facts.wall && millimetres * facts.wall->thickness < kThinWall) {
+    const double limit = kThinWall / millimetres;
+    facts.thin = TellThinPlaces(mesh, FindThinWalls(mesh, limit, execution), limit);
+  }
+  facts.wall_part = PartOf(facts.wall, details);
+  facts.thin_part = PartOf(facts.thin.wall ? facts.thin.wall : facts.thin.tip, details);
+  for (std::optional<Wall>* const wall : {&facts.wall, &facts.thin.wall, &facts.thin.tip}) {
+    if (!*wall) continue;
+    (*wall)->thickness *= millimetres;
+    (*wall)->middle *= millimetres;
   }
   facts.stability = MeasureStability(mesh, kContact / millimetres);
   if (facts.stability) {
@@ -37,13 +48,17 @@ PrintFacts MeasureForPrint(const Mesh& mesh, const MeshDetails& details, double 
 
 Diagnostics PrintWarnings(const PrintFacts& facts) {
   Diagnostics warnings;
-  if (facts.wall && facts.wall->thickness < kThinWall) {
+  const std::string part = facts.thin_part.empty() ? "the mesh" : facts.thin_part;
+  if (const auto& wall = facts.thin.wall) {
     warnings.push_back(Warning(
         "wall-thin",
         fmt::format("{} is {:.2f} mm thin at {}, under {} mm: it may break or not be printed; "
-                    "print it larger",
-                    facts.wall_part.empty() ? "the mesh" : facts.wall_part, facts.wall->thickness,
-                    PlaceText(facts.wall->middle), kThinWall)));
+                    "print it larger, or with --min-wall {}",
+                    part, wall->thickness, PlaceText(wall->middle), kThinWall, kThinWall)));
+  } else if (const auto& tip = facts.thin.tip) {
+    warnings.push_back(
+        Note("tip-thin", fmt::format("{} ends thinner than {} mm at {}: its tip will be blunt",
+                                     part, kThinWall, PlaceText(tip->middle))));
   }
   if (facts.stability && !facts.stability->Stands()) {
     warnings.push_back(

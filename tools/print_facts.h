@@ -18,8 +18,10 @@ namespace lascaux {
 /// What somebody who prints a mesh wants to know beside its being a solid. Millimetres; y is up.
 struct PrintFacts {
   Eigen::Vector3d size = Eigen::Vector3d::Zero();
-  std::optional<Wall> wall;
-  std::string wall_part;  ///< name of the part that the smallest wall belongs to; empty: unknown
+  std::optional<Wall> wall;  ///< the smallest, of any thickness
+  ThinPlaces thin;           ///< below kThinWall
+  std::string thin_part;     ///< of the thin wall, else of the thin tip
+  std::string wall_part;     ///< name of the part that the smallest wall belongs to; empty: unknown
   std::optional<Stability> stability;
 };
 
@@ -33,7 +35,7 @@ inline constexpr double kContact = 0.3;
 PrintFacts MeasureForPrint(const Mesh& mesh, const MeshDetails& details, double millimetres,
                            const Execution& execution = {});
 
-/// Warnings "wall-thin" and "falls-over".
+/// Warnings "wall-thin" and "falls-over"; note "tip-thin" where only tips are thin.
 Diagnostics PrintWarnings(const PrintFacts& facts);
 
 /// The same as fields of a JSON object: size, smallest_wall, stability; null for what was not

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "json_values.h"
+#include "record_print.h"
 
 namespace lascaux {
 namespace {
@@ -144,6 +145,7 @@ std::string ReportText(const Model& model, ReportTimings timings) {
   json["diagnostics"] = DiagnosticsJson(model.diagnostics);
   json["grid"] = GridJson(model.grid_facts);
   json["mesh"] = MeshJson(model);
+  json["print"] = PrintRecordJson(model.print_record);
   json["fidelity"] = FidelityJson(model.fidelity);
   if (timings == ReportTimings::kWith) json["timings_ms"] = TimingsJson(model.timings);
   if (model.fidelity && model.frame) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <exception>
+#include <iterator>
 #include <memory>
 #include <new>
 #include <utility>
@@ -11,8 +12,11 @@
 #include "grid_plugin.h"
 #include "lascaux/skeleton/normalise_outline.h"
 #include "lascaux/volume/extract_mesh.h"
+#include "lascaux/volume/keep_vertices.h"
 #include "lascaux/volume/narrow_band.h"
+#include "lascaux/volume/simplify.h"
 #include "mesh_details_of.h"
+#include "record_print.h"
 #include "run_together.h"
 #include "settle.h"
 #include "stopwatch.h"
@@ -30,7 +34,8 @@ class Run {
     if (!Read() || options_.last == LastStage::kSketch) return;
     const bool understood = Understand() && ExtractSkeleton() && Fit();
     if (!understood || options_.last == LastStage::kCreature) return;
-    if (!MakeVolume() || !MakeMesh() || !Measure()) return;
+    if (!MakeVolume() || !MakeMesh() || !PrepareForPrint() || !TakeFewerFaces() || !Measure())
+      return;
     if (options_.print_warnings) WarnOfPrint();
     if (options_.last == LastStage::kPreview) RenderPreview();
   }
@@ -138,6 +143,46 @@ class Run {
     return true;
   }
 
+  bool PrepareForPrint() {
+    if (!options_.print.Any()) return true;
+    const Stopwatch watch(model_.timings, "print");
+    execution_.Report("preparing it for printing", 0);
+    const auto& plugin = LoadGridPlugin();
+    std::optional<PreparedPrint> prepared;
+    if (!(plugin ? Keep((*plugin)->prepare_print(model_.grid->surface, *model_.mesh, options_.print,
+                                                 execution_),
+                        prepared)
+                 : Keep(Outcome<PreparedPrint>::Failure(plugin.diagnostics()), prepared)))
+      return false;
+    model_.print_record = RecordOf(std::move(prepared->changes), model_, execution_);
+    const PrintChanges& changes = model_.print_record->changes;
+    if (changes.thickened.empty() && !changes.plate && !changes.cavity) {
+      Log(DescribeChanges(*model_.print_record, options_.print));
+      return true;
+    }
+    model_.grid->surface = std::move(prepared->band);
+    model_.grid_facts = FactsOf(model_.grid->surface);
+    const Mesh before = *std::move(model_.mesh);
+    if (!Keep(ExtractMesh(model_.grid->surface, execution_), model_.mesh)) return false;
+    KeepVertices(before, LatticeOf(model_.grid->surface), *model_.mesh);
+    StandOnGround(model_);
+    Log(DescribeChanges(*model_.print_record, options_.print));
+    return true;
+  }
+
+  bool TakeFewerFaces() {
+    if (!options_.faces) return true;
+    const Stopwatch watch(model_.timings, "simplify");
+    execution_.Report("collapsing edges", 0);
+    if (!Keep(Simplify(*model_.mesh, *options_.faces, execution_), model_.mesh)) return false;
+    StandOnGround(model_);
+    return true;
+  }
+
+  void Log(Diagnostics found) {
+    std::move(found.begin(), found.end(), std::back_inserter(model_.diagnostics));
+  }
+
   /// Checks the mesh; beside that, all that is measured of it.
   bool Measure() {
     execution_.Report("checking the mesh", 0);
@@ -146,7 +191,9 @@ class Run {
         execution_,
         [&] {
           const Stopwatch watch(check, "check");
-          model_.facts = CheckMesh(*model_.mesh, LatticeOf(model_.grid->surface), execution_);
+          model_.facts = options_.faces
+                             ? CheckMesh(*model_.mesh, execution_)
+                             : CheckMesh(*model_.mesh, LatticeOf(model_.grid->surface), execution_);
         },
         [&] {
           if (options_.compare) Compare(others);

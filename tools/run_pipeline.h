@@ -10,6 +10,7 @@
 #include "lascaux/skeleton/fit.h"
 #include "lascaux/sketch/read_svg.h"
 #include "lascaux/sketch/trace_picture.h"
+#include "lascaux/volume/print_options.h"
 #include "lascaux/volume/render_options.h"
 #include "model.h"
 
@@ -51,6 +52,8 @@ struct PipelineOptions {
   double size = 100;                 ///< longest side of the model, mm
   int resolution = 256;              ///< voxels along the longest side
   std::optional<double> voxel_size;  ///< mm; decides instead of the resolution
+  PrintOptions print;
+  std::optional<std::size_t> faces;  ///< triangles that the mesh may have
   PreviewOptions preview;
   LastStage last = LastStage::kMesh;
   bool compare = true;          ///< the mesh with the drawing

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "grid.h"
+#include "record_print.h"
 
 namespace lascaux {
 
@@ -17,6 +18,7 @@ void StandOnGround(Model& model) {
   model.grid->surface.origin.y() -= static_cast<double>(lowest);
   model.frame->shift.y() -= static_cast<double>(lowest);
   model.lift -= static_cast<double>(lowest);
+  if (model.print_record) Lift(*model.print_record, -static_cast<double>(lowest));
 }
 
 std::vector<std::vector<Eigen::Vector2d>> BuiltOutlines(const Model& model) {
@@ -28,6 +30,8 @@ std::vector<std::vector<Eigen::Vector2d>> BuiltOutlines(const Model& model) {
     for (const Eigen::Vector2d& point : model.parts->parts[i].outline.points)
       ring.push_back(model.frame->ToModel(point));
   }
+  if (model.print_record && model.print_record->changes.plate)
+    rings.push_back(model.print_record->changes.plate->SideView());
   return rings;
 }
 

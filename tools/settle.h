@@ -12,14 +12,14 @@
 
 namespace lascaux {
 
-/// Moves the model so that the mesh's lowest vertex is at y = 0: mesh, grid and frame by the same
-/// amount.
+/// Moves the model so that the mesh's lowest vertex is at y = 0: mesh, grid, frame and what was
+/// changed for printing, by the same amount.
 ///
 /// Precondition: mesh, grid and frame are there. The lowest vertex is exactly 0 afterwards.
 void StandOnGround(Model& model);
 
 /// Outlines of the parts that are built (neither background nor ignored), in the model's x and y;
-/// rings without points for the others.
+/// rings without points for the others. The plate under the feet, when there is one, comes last.
 ///
 /// Precondition: parts, graph and frame are there.
 std::vector<std::vector<Eigen::Vector2d>> BuiltOutlines(const Model& model);

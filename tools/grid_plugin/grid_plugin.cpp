@@ -40,5 +40,5 @@ Outcome<std::vector<Picture>> RenderBand(const NarrowBand& band,
 extern "C" {
 __attribute__((visibility("default"))) extern const lascaux::GridPlugin lascaux_grid_plugin;
 const lascaux::GridPlugin lascaux_grid_plugin = {lascaux::WriteVolume, lascaux::RenderBand,
-                                                 lascaux::RunRender};
+                                                 lascaux::PreparePrint, lascaux::RunRender};
 }

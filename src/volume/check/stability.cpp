@@ -3,55 +3,15 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
+
+#include "volume/check/hull.h"
 
 namespace lascaux {
 namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-
-double Cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-/// Andrew's monotone chain, 1979: counter-clockwise, no three corners on a line.
-std::vector<Vector2d> ConvexHull(std::vector<Vector2d> points) {
-  const auto before = [](const Vector2d& a, const Vector2d& b) {
-    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
-  };
-  std::sort(points.begin(), points.end(), before);
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 3) return points;
-  std::vector<Vector2d> hull;
-  const auto add = [&hull](const Vector2d& p, std::size_t least) {
-    while (hull.size() > least && Cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0)
-      hull.pop_back();
-    hull.push_back(p);
-  };
-  for (const Vector2d& p : points) add(p, 1);
-  const std::size_t lower = hull.size();
-  for (auto p = points.rbegin() + 1; p != points.rend(); ++p) add(*p, lower);
-  hull.pop_back();
-  return hull;
-}
-
-double DistanceToEdge(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
-  const Vector2d along = b - a;
-  const double length = along.squaredNorm();
-  const double t = length > 0 ? std::clamp((p - a).dot(along) / length, 0.0, 1.0) : 0;
-  return (p - a - t * along).norm();
-}
-
-double SignedDistanceInside(const Vector2d& p, const std::vector<Vector2d>& hull) {
-  double nearest = std::numeric_limits<double>::infinity();
-  bool inside = hull.size() >= 3;
-  for (std::size_t i = 0; i < hull.size(); ++i) {
-    const Vector2d &a = hull[i], &b = hull[(i + 1) % hull.size()];
-    nearest = std::min(nearest, DistanceToEdge(p, a, b));
-    inside = inside && Cross(b - a, p - a) > 0;
-  }
-  return inside ? nearest : -nearest;
-}
 
 bool IsValid(const Mesh& mesh) {
   for (const Eigen::Vector3f& v : mesh.vertices)

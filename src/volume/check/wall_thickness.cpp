@@ -1,9 +1,9 @@
 #include "lascaux/volume/wall_thickness.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "volume/arena.h"
+#include "volume/check/triangle_grid.h"
 
 namespace lascaux {
 namespace {
@@ -18,131 +19,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kFacing = -0.5;  // cosine: sides within 60 degrees of facing each other are walls
-constexpr int kMostCells = 128;   // along the longest side: 2 million cells in all
-
-struct Triangle {
-  Vector3d a, ab, ac, normal;  // of length 1; 0 for a triangle without area
-};
-
-/// Triangles in the cells of a uniform grid that their boxes touch.
-class TriangleGrid {
- public:
-  explicit TriangleGrid(const Mesh& mesh) {
-    for (const Eigen::Vector3f& v : mesh.vertices) box_.extend(v.cast<double>());
-    triangles_.reserve(mesh.triangles.size());
-    for (const auto& t : mesh.triangles) triangles_.push_back(MakeTriangle(mesh, t));
-    cell_ = std::max(box_.sizes().maxCoeff() / kMostCells, 1e-30);
-    // Large triangles lie in many cells: larger cells until there are few entries for each.
-    while (CountEntries() > 12 * triangles_.size() + 4096) cell_ *= 2;
-    Fill();
-  }
-
-  const std::vector<Triangle>& triangles() const { return triangles_; }
-
-  /// Distance from `start` in the direction of length 1 to the nearest triangle other than `self`
-  /// that faces along it; anything beyond `limit` counts as infinite.
-  double Shoot(std::size_t self, const Vector3d& start, const Vector3d& direction,
-               const std::atomic<double>& limit) const {
-    Eigen::Array3i cell = CellOf(start);
-    Eigen::Array3d next, step;
-    Eigen::Array3i way;
-    for (int k = 0; k < 3; ++k) {
-      way[k] = direction[k] > 0 ? 1 : -1;
-      const double border = box_.min()[k] + cell_ * (cell[k] + (way[k] > 0 ? 1 : 0));
-      next[k] = direction[k] != 0 ? (border - start[k]) / direction[k] : kInfinity;
-      step[k] = direction[k] != 0 ? cell_ / std::abs(direction[k]) : kInfinity;
-    }
-    double nearest = kInfinity;
-    for (double from = 0; from <= std::min(nearest, limit.load(std::memory_order_relaxed));) {
-      const std::size_t c = Index(cell);
-      for (std::size_t i = first_[c]; i < first_[c + 1]; ++i) {
-        if (entries_[i] != self)
-          nearest = std::min(nearest, Hit(triangles_[entries_[i]], start, direction));
-      }
-      Eigen::Index axis = 0;
-      from = next.minCoeff(&axis);
-      next[axis] += step[axis];
-      cell[axis] += way[axis];
-      if (cell[axis] < 0 || cell[axis] >= count_[axis]) break;
-    }
-    return nearest;
-  }
-
- private:
-  static Triangle MakeTriangle(const Mesh& mesh, const std::array<std::uint32_t, 3>& t) {
-    Triangle triangle;
-    triangle.a = mesh.vertices[t[0]].cast<double>();
-    triangle.ab = mesh.vertices[t[1]].cast<double>() - triangle.a;
-    triangle.ac = mesh.vertices[t[2]].cast<double>() - triangle.a;
-    triangle.normal = triangle.ab.cross(triangle.ac).stableNormalized();
-    return triangle;
-  }
-
-  Eigen::Array3i CellOf(const Vector3d& p) const {
-    return ((p - box_.min()).array() / cell_).cast<int>().max(0).min(count_ - 1);
-  }
-  std::size_t Index(const Eigen::Array3i& cell) const {
-    return (static_cast<std::size_t>(cell.x()) * static_cast<std::size_t>(count_.y()) +
-            static_cast<std::size_t>(cell.y())) *
-               static_cast<std::size_t>(count_.z()) +
-           static_cast<std::size_t>(cell.z());
-  }
-
-  template <typename Visit>
-  void ForCells(const Triangle& t, Visit&& visit) const {
-    const Vector3d b = t.a + t.ab, c = t.a + t.ac;
-    const Eigen::Array3i low = CellOf(t.a.cwiseMin(b).cwiseMin(c));
-    const Eigen::Array3i high = CellOf(t.a.cwiseMax(b).cwiseMax(c));
-    for (int x = low.x(); x <= high.x(); ++x)
-      for (int y = low.y(); y <= high.y(); ++y)
-        for (int z = low.z(); z <= high.z(); ++z) visit(Index({x, y, z}));
-  }
-
-  std::size_t CountEntries() {
-    count_ = (box_.sizes().array() / cell_).floor().cast<int>() + 1;
-    std::size_t entries = 0;
-    for (const Triangle& t : triangles_) {
-      const Vector3d b = t.a + t.ab, c = t.a + t.ac;
-      const Eigen::Array3i size =
-          CellOf(t.a.cwiseMax(b).cwiseMax(c)) - CellOf(t.a.cwiseMin(b).cwiseMin(c)) + 1;
-      entries += static_cast<std::size_t>(size.cast<double>().prod());
-    }
-    return entries;
-  }
-
-  /// A counting sort, so that the order depends on the mesh alone.
-  void Fill() {
-    first_.assign(static_cast<std::size_t>(count_.cast<double>().prod()) + 1, 0);
-    for (const Triangle& t : triangles_) ForCells(t, [&](std::size_t cell) { ++first_[cell + 1]; });
-    for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
-    entries_.resize(first_.back());
-    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (std::uint32_t i = 0; i < triangles_.size(); ++i)
-      ForCells(triangles_[i], [&](std::size_t cell) { entries_[next[cell]++] = i; });
-  }
-
-  /// Moeller and Trumbore, 1997.
-  static double Hit(const Triangle& t, const Vector3d& start, const Vector3d& direction) {
-    if (!(t.normal.dot(direction) > -kFacing)) return kInfinity;
-    const Vector3d p = direction.cross(t.ac);
-    const double scale = t.ab.dot(p);
-    const Vector3d from = start - t.a;
-    const double u = from.dot(p) / scale;
-    if (!(u >= 0 && u <= 1)) return kInfinity;
-    const Vector3d q = from.cross(t.ab);
-    const double v = direction.dot(q) / scale;
-    if (!(v >= 0 && u + v <= 1)) return kInfinity;
-    const double distance = t.ac.dot(q) / scale;
-    return distance > 0 ? distance : kInfinity;
-  }
-
-  Eigen::AlignedBox3d box_;
-  double cell_ = 1;
-  Eigen::Array3i count_ = Eigen::Array3i::Ones();
-  std::vector<Triangle> triangles_;
-  std::vector<std::uint32_t> first_, entries_;
-};
 
 bool IsValid(const Mesh& mesh) {
   for (const Eigen::Vector3f& v : mesh.vertices)
@@ -150,6 +26,20 @@ bool IsValid(const Mesh& mesh) {
   for (const auto& t : mesh.triangles)
     if (*std::max_element(t.begin(), t.end()) >= mesh.vertices.size()) return false;
   return true;
+}
+
+/// From the middle of a triangle straight inward; infinitely thick where nothing is nearer than the
+/// limit.
+Wall WallAt(const TriangleGrid& grid, std::size_t i, const std::atomic<double>& limit) {
+  const Triangle& t = grid.triangles()[i];
+  Wall wall;
+  wall.thickness = kInfinity;
+  wall.triangle = static_cast<std::uint32_t>(i);
+  if (t.normal.isZero()) return wall;
+  const Vector3d middle = t.a + (t.ab + t.ac) / 3;
+  wall.thickness = grid.Shoot(i, middle, -t.normal, limit).distance;
+  if (wall.thickness < kInfinity) wall.middle = middle - wall.thickness / 2 * t.normal;
+  return wall;
 }
 
 /// The thinner one, of equals the one with the smaller index: the same in any order.
@@ -168,15 +58,11 @@ std::optional<Wall> SmallestWall(const Mesh& mesh, const Execution& execution) {
   none.thickness = kInfinity;
   const auto shoot = [&](const tbb::blocked_range<std::size_t>& range, Wall best) {
     for (std::size_t i = range.begin(); i < range.end() && !execution.IsCancelled(); ++i) {
-      const Triangle& t = grid.triangles()[i];
-      if (t.normal.isZero()) continue;
-      const Vector3d middle = t.a + (t.ab + t.ac) / 3;
-      const double thickness = grid.Shoot(i, middle, -t.normal, limit);
-      if (!(thickness < kInfinity)) continue;
-      best = Thinner(best,
-                     {thickness, middle - thickness / 2 * t.normal, static_cast<std::uint32_t>(i)});
+      const Wall wall = WallAt(grid, i, limit);
+      if (!(wall.thickness < kInfinity)) continue;
+      best = Thinner(best, wall);
       double known = limit.load(std::memory_order_relaxed);
-      while (thickness < known && !limit.compare_exchange_weak(known, thickness)) {
+      while (wall.thickness < known && !limit.compare_exchange_weak(known, wall.thickness)) {
       }
     }
     return best;
@@ -188,6 +74,19 @@ std::optional<Wall> SmallestWall(const Mesh& mesh, const Execution& execution) {
   });
   if (!(best.thickness < kInfinity)) return std::nullopt;
   return best;
+}
+
+std::vector<Wall> FindThinWalls(const Mesh& mesh, double limit, const Execution& execution) {
+  if (!IsValid(mesh) || mesh.triangles.empty()) return {};
+  const TriangleGrid grid(mesh);
+  const std::atomic<double> farthest = limit;
+  std::vector<Wall> walls(mesh.triangles.size());
+  RunInArena(execution, [&] {
+    tbb::parallel_for(std::size_t{0}, walls.size(),
+                      [&](std::size_t i) { walls[i] = WallAt(grid, i, farthest); });
+  });
+  std::erase_if(walls, [limit](const Wall& wall) { return !(wall.thickness < limit); });
+  return walls;
 }
 
 }  // namespace lascaux
