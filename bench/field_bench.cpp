@@ -44,8 +44,8 @@ Field Tangle(int parts) {
 struct Leaf {
   std::vector<float> x, y, z, value, gx, gy, gz, distance;
 
-  Leaf() {
-    std::mt19937 random(2);
+  explicit Leaf(unsigned seed = 0) {
+    std::mt19937 random(2 + seed);
     std::uniform_real_distribution<float> uniform(-0.5f, 0.5f);
     for (std::vector<float>* column : {&x, &y, &z, &value, &gx, &gy, &gz, &distance}) {
       column->resize(kPoints);
@@ -88,6 +88,23 @@ void Samples(benchmark::State& state, Isa isa, int parts) {
     benchmark::DoNotOptimize(leaf.value.data());
   }
   CountSegments(state);
+}
+
+/// 100 segments at a million points: as many leaves, with points of their own, as that takes.
+void MillionPoints(benchmark::State& state, Isa isa) {
+  if (Skips(state, isa)) return;
+  const CompiledField field(Tangle(1), isa);
+  const ActiveSet all = field.All();
+  constexpr int kLeaves = (1'000'000 + kPoints - 1) / kPoints;
+  std::vector<Leaf> leaves;
+  for (unsigned i = 0; i < kLeaves; ++i) leaves.emplace_back(i);
+  for (auto _ : state) {
+    for (Leaf& leaf : leaves) field.EvaluateValues(leaf.points(), all, leaf.value);
+    benchmark::ClobberMemory();
+  }
+  state.counters["segments"] =
+      benchmark::Counter(static_cast<double>(state.iterations()) * kSegments * kPoints * kLeaves,
+                         benchmark::Counter::kIsRate);
 }
 
 void DoublePrecision(benchmark::State& state) {
@@ -137,6 +154,9 @@ BENCHMARK(DoublePrecision);
 BENCHMARK_CAPTURE(Values, baseline, Isa::kBaseline, 1);
 BENCHMARK_CAPTURE(Values, avx2, Isa::kAvx2, 1);
 BENCHMARK_CAPTURE(Values, avx512, Isa::kAvx512, 1);
+BENCHMARK_CAPTURE(MillionPoints, baseline, Isa::kBaseline)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(MillionPoints, avx2, Isa::kAvx2)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(MillionPoints, avx512, Isa::kAvx512)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(Samples, baseline, Isa::kBaseline, 1);
 BENCHMARK_CAPTURE(Samples, avx2, Isa::kAvx2, 1);
 BENCHMARK_CAPTURE(Samples, avx512, Isa::kAvx512, 1);

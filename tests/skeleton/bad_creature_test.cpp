@@ -11,6 +11,7 @@
 #include "lascaux/skeleton/creature.h"
 #include "lascaux/skeleton/fit.h"
 #include "lascaux/skeleton/normalise_outline.h"
+#include "lascaux/volume/narrow_band.h"
 #include "skeleton/index.h"
 #include "skeleton/shapes.h"
 #include "support/cases.h"
@@ -136,6 +137,17 @@ void ExpectFinite(const Field& field, Random& random) {
   }
 }
 
+/// A coarse level set: an outcome, and never a value that is not a number.
+void ExpectFiniteBand(const Field& field) {
+  const auto band = RasteriseBand(field, {.voxel_size = Bounds(field).diagonal().norm() / 40});
+  if (!band.ok()) {
+    ASSERT_EQ(band.diagnostics().front().code, "empty-field");
+    return;
+  }
+  ASSERT_FALSE(band->values.empty());
+  for (const float value : band->values) ASSERT_TRUE(std::abs(value) <= band->background);
+}
+
 TEST(BadCreature, ShortSkeletonsAndCoincidentDiscsMakeFieldsOfNumbers) {
   const testing::Drawing drawing = testing::MakeBeast();
   const Creature good = Assembled(drawing);
@@ -152,7 +164,9 @@ TEST(BadCreature, ShortSkeletonsAndCoincidentDiscsMakeFieldsOfNumbers) {
       ASSERT_TRUE(placed.ok());
       const Field field = MakeField(*placed, frame);
       ExpectFinite(field, random);
-      ExpectFinite(NormaliseOutline(field, {drawing.parts, drawing.graph, frame}), random);
+      const Field normalised = NormaliseOutline(field, {drawing.parts, drawing.graph, frame});
+      ExpectFinite(normalised, random);
+      ExpectFiniteBand(normalised);
     }
   });
 }
