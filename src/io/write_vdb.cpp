@@ -31,7 +31,7 @@ class MemoryArchive : public openvdb::io::Archive {
  public:
   std::string Encode(const openvdb::GridCPtrVec& grids, const openvdb::MetaMap& metadata) {
     // Zip is for what is neither level set nor fog volume: OpenVDB leaves it out for these, whose
-    // digits it hardly shortens. Colours become a hundredth.
+    // digits it hardly shortens. Colours become a twelfth.
     setCompression(openvdb::io::COMPRESS_ACTIVE_MASK | openvdb::io::COMPRESS_ZIP);
     std::ostringstream stream(std::ios::binary);
     write(stream, grids, /*seekable=*/true, metadata);
