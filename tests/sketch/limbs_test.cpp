@@ -185,19 +185,34 @@ TEST(Limbs, HoovesAreMoreOfTheirLegs) {
   EXPECT_EQ(PartAt(*read, {130, 270}), PartAt(*read, {130, 200}));
 }
 
+/// What the order in depth says by that code.
+Diagnostics Findings(const std::string& content, const std::string& code) {
+  const auto sketch = ReadSvg(Svg(content));
+  const auto map = BuildPlanarMap(*sketch);
+  const auto graph = OrderByDepth(*map, *FindParts(*map));
+  Diagnostics found;
+  for (const Diagnostic& d : graph.diagnostics()) {
+    if (d.code == code) found.push_back(d);
+  }
+  return found;
+}
+
+TEST(Limbs, LinesThatAreLeftOutAreNamedByThePlaceOfTheLongest) {
+  EXPECT_TRUE(Findings(kCalf, "lines-left-out").empty());
+  const std::string whisker = R"(<path d="M 420 100 L 440 100"/>)";
+  EXPECT_TRUE(Findings(kCalf + whisker, "lines-left-out").empty());
+  const Diagnostics found =
+      Findings(kCalf + whisker + R"(<path d="M 420 120 L 480 220 L 420 320"/>)", "lines-left-out");
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found.front().severity, Severity::kWarning);
+  ASSERT_TRUE(found.front().at);
+  EXPECT_LT((*found.front().at - Vector2d(480, 220)).norm(), 1);
+}
+
 TEST(Limbs, ASecondOutlineIsNamedByItsPlace) {
-  const auto warnings = [](const std::string& content) {
-    const auto sketch = ReadSvg(Svg(content));
-    const auto map = BuildPlanarMap(*sketch);
-    const auto graph = OrderByDepth(*map, *FindParts(*map));
-    Diagnostics found;
-    for (const Diagnostic& d : graph.diagnostics()) {
-      if (d.code == "outline-apart") found.push_back(d);
-    }
-    return found;
-  };
-  EXPECT_TRUE(warnings(kCalf).empty());
-  const Diagnostics apart = warnings(std::string(kCalf) + R"(<circle cx="420" cy="180" r="40"/>)");
+  EXPECT_TRUE(Findings(kCalf, "outline-apart").empty());
+  const Diagnostics apart =
+      Findings(std::string(kCalf) + R"(<circle cx="420" cy="180" r="40"/>)", "outline-apart");
   ASSERT_EQ(apart.size(), 1u);
   EXPECT_EQ(apart.front().severity, Severity::kWarning);
   ASSERT_TRUE(apart.front().at);

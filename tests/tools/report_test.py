@@ -52,7 +52,7 @@ class ReportTest(ProgramTest):
         self.assert_code(run("build", EXAMPLES / "cat.svg", "-o", path, "--resolution", 48), 0)
         report = self.report("cat.json")
         self.assertEqual(list(report), ["format", "sketch", "model_from_sketch", "body", "parts",
-                                        "diagnostics", "grid", "mesh", "fidelity", "timings_ms"])
+                                        "diagnostics", "grid", "mesh", "print", "fidelity", "timings_ms"])
         self.assertEqual(report["format"], "lascaux.report/1")
         self.assertTrue(0 <= report["body"]["score_margin"] <= 1)
         for part in report["parts"]:

@@ -20,6 +20,8 @@ constexpr double kSureMargin = 0.2;
 
 /// What lies apart from the animal is worth a word from this share of the torso's area on.
 constexpr double kShowsApart = 0.02;
+constexpr double kShowsLeftOut =
+    0.25;  // of the drawing's diagonal: whiskers and blades of grass are less
 
 /// Limbs lie over the part that they were cut from, their far sides under it.
 void PlaceLimbs(const Parts& parts, const std::vector<std::optional<int>>& far_of,
@@ -149,6 +151,39 @@ void WarnOfOthers(const Parts& parts, const DepthGraph& graph, Diagnostics& log)
   }
 }
 
+/// Open lines outside of all that is built: a head whose outline does not close, antlers, whiskers.
+void WarnOfLinesLeftOut(const PlanarMap& map, const Parts& parts, const DepthGraph& graph,
+                        Diagnostics& log) {
+  const auto is_built_around = [&](const Eigen::Vector2d& point) {
+    for (Index i = 0; i < graph.nodes.size(); ++i) {
+      if (graph.nodes[i].role != PartRole::kIgnored &&
+          Contains(parts.parts[i].outline.points, point))
+        return true;
+    }
+    return false;
+  };
+  double total = 0, longest = 0;
+  Eigen::Vector2d place(0, 0);
+  for (int half_edge = 0; half_edge < static_cast<int>(map.cycle.size()); half_edge += 2) {
+    const Index h = static_cast<Index>(half_edge);
+    if (map.cycle[h] != map.cycle[h + 1]) continue;  // it encloses something
+    const std::vector<Eigen::Vector2d> points = map.Points(half_edge);
+    const Eigen::Vector2d middle = points[points.size() / 2];
+    if (is_built_around(middle)) continue;
+    double length = 0;
+    for (Index i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
+    total += length;
+    if (length > longest) longest = length, place = middle;
+  }
+  if (total < kShowsLeftOut * map.diagonal) return;
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "open lines, %.0f %% of the drawing's size in all, lie outside of what is built; "
+                "what belongs to the animal must be enclosed: let the ends meet",
+                100 * total / map.diagonal);
+  log.push_back(At(Warning("lines-left-out", text), place));
+}
+
 void OrderParentsFirst(DepthGraph& graph) {
   std::vector<bool> done(graph.nodes.size(), false);
   for (bool again = true; again;) {
@@ -197,6 +232,7 @@ Outcome<DepthGraph> OrderByDepth(const PlanarMap& map, const Parts& parts,
   DropOrphans(graph);
   NameParts(graph);
   WarnOfGuesses(parts, graph, log);
+  WarnOfLinesLeftOut(map, parts, graph, log);
   OrderParentsFirst(graph);
   return {std::move(graph), std::move(log)};
 }
