@@ -31,13 +31,13 @@ class Ratios:
         self.rows = {}
 
     def add(self, name, value, aim, better):
-        self.rows[name] = {"value": round(value, 3), "aim": aim, "better": better}
+        self.rows[name] = {"value": float(f"{value:.4g}"), "aim": aim, "better": better}
 
     def show(self):
         for name, row in self.rows.items():
             sign = "<=" if row["better"] == "less" else ">="
             good = row["value"] <= row["aim"] if row["better"] == "less" else row["value"] >= row["aim"]
-            print(f"  {name:58} {row['value']:8.2f}   aim {sign} {row['aim']:<5} {'' if good else 'missed'}")
+            print(f"  {name:58} {row['value']:8.3g}   aim {sign} {row['aim']:<5} {'' if good else 'missed'}")
 
     def worse_than(self, baseline):
         found = []
@@ -45,8 +45,8 @@ class Ratios:
             old = baseline.get(name, {}).get("value")
             if old is None:
                 continue
-            worse = row["value"] / old if row["better"] == "less" else old / row["value"]
-            if worse > 1 + NOISE:
+            now, then = (row["value"], old) if row["better"] == "less" else (old, row["value"])
+            if now > then * (1 + NOISE):
                 found.append(f"{name}: {row['value']} was {old}")
         return found
 
