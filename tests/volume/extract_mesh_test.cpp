@@ -182,33 +182,30 @@ TEST(ExtractMesh, OneVoxelInsideIsASolid) {
   }
 }
 
-TEST(ExtractMesh, CrumbsAreRemovedWithAWarning) {
+/// The mesh of a ball of radius 1 beside one of that radius at (3, 0, 0), with voxels of 0.1.
+Outcome<Mesh> MeshBesideCrumb(double radius) {
   Field field = SphereField({0, 0, 0}, 1);
-  field.parts.push_back(SphereField({3, 0, 0}, 0.3).parts.front());
-  const auto grid = Rasterise(field, {0.1});
-  ASSERT_TRUE(grid.ok());
-  const auto mesh = ExtractMesh(**grid);
+  field.parts.push_back(SphereField({3, 0, 0}, radius).parts.front());
+  return ExtractMesh(**Rasterise(field, {0.1}));
+}
+
+void ExpectCrumb(const Outcome<Mesh>& mesh, Severity severity, const std::string& message) {
   ASSERT_TRUE(mesh.ok());
   ASSERT_EQ(mesh.diagnostics().size(), 1U);
   EXPECT_EQ(mesh.diagnostics().front().code, "crumb-removed");
-  EXPECT_EQ(mesh.diagnostics().front().severity, Severity::kWarning);
-  EXPECT_NE(mesh.diagnostics().front().message.find("separate piece at (3,"), std::string::npos);
+  EXPECT_EQ(mesh.diagnostics().front().severity, severity);
+  EXPECT_NE(mesh.diagnostics().front().message.find(message), std::string::npos);
+}
+
+TEST(ExtractMesh, CrumbsAreRemovedWithAWarning) {
+  const auto mesh = MeshBesideCrumb(0.3);
+  ExpectCrumb(mesh, Severity::kWarning, "separate piece at (3,");
   EXPECT_EQ(Defects(*mesh), "");
   EXPECT_NEAR(CheckMesh(*mesh).volume, 4.0 / 3 * std::numbers::pi, 0.05);
 }
 
 TEST(ExtractMesh, WhatIsSmallerThanTwoVoxelsIsATipsTraceAndNoted) {
-  Field field = SphereField({0, 0, 0}, 1);
-  field.parts.push_back(SphereField({3, 0, 0}, 0.08).parts.front());
-  const auto grid = Rasterise(field, {0.1});
-  ASSERT_TRUE(grid.ok());
-  const auto mesh = ExtractMesh(**grid);
-  ASSERT_TRUE(mesh.ok());
-  ASSERT_EQ(mesh.diagnostics().size(), 1U);
-  EXPECT_EQ(mesh.diagnostics().front().code, "crumb-removed");
-  EXPECT_EQ(mesh.diagnostics().front().severity, Severity::kNote);
-  EXPECT_NE(mesh.diagnostics().front().message.find("thinner than a voxel (0.1)"),
-            std::string::npos);
+  ExpectCrumb(MeshBesideCrumb(0.08), Severity::kNote, "thinner than a voxel (0.1)");
 }
 
 TEST(ExtractMesh, IsTheSameForAnyNumberOfThreads) {

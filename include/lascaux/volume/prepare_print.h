@@ -25,8 +25,8 @@ struct PreparedPrint {
 ///   beyond;
 /// - hollow: the largest cavity that leaves walls of that thickness, open through a straight drain
 ///   of 4 mm (at least 4 voxels) downwards from the lowest place of the cavity that holds a ball of
-///   that width and does not show in the view from the side. No cavity where there is no such
-///   place.
+///   that width and does not show in the view from the side, or from the lowest of all if each
+///   shows. No cavity where no drain comes out freely.
 ///
 /// `mesh` is the band's surface. Sides that are farther than that from any change keep their
 /// distances bit by bit where they are less than a voxel. The same bits for any number of threads.

@@ -20,8 +20,10 @@ constexpr double kSureMargin = 0.2;
 
 /// What lies apart from the animal is worth a word from this share of the torso's area on.
 constexpr double kShowsApart = 0.02;
-constexpr double kShowsLeftOut =
-    0.25;  // of the drawing's diagonal: whiskers and blades of grass are less
+
+/// Open lines outside of the animal are worth one from this share of the drawing's diagonal on:
+/// whiskers and blades of grass are less.
+constexpr double kShowsLeftOut = 0.25;
 
 /// Limbs lie over the part that they were cut from, their far sides under it.
 void PlaceLimbs(const Parts& parts, const std::vector<std::optional<int>>& far_of,
@@ -225,10 +227,10 @@ Outcome<DepthGraph> OrderByDepth(const PlanarMap& map, const Parts& parts,
   torso.role = PartRole::kBody;
   PlaceCells(map, parts, adjacency, graph);
   PlaceIslands(parts, graph);
-  WarnOfOthers(parts, graph, log);
   auto corrected = ApplyOverrides(parts, std::move(graph), options).MoveInto(log);
   if (!corrected) return Outcome<DepthGraph>::Failure(std::move(log));
   graph = std::move(*corrected);
+  WarnOfOthers(parts, graph, log);
   DropOrphans(graph);
   NameParts(graph);
   WarnOfGuesses(parts, graph, log);

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 
 #include "lascaux/sketch/parts.h"
+#include "sketch/map/heights.h"
 #include "sketch/map/polyline.h"
 
 namespace lascaux {
@@ -68,21 +68,6 @@ std::optional<OpenLine> LineFrom(const PlanarMap& map, int start) {
   return line;
 }
 
-struct Heights {
-  double top = std::numeric_limits<double>::infinity(), bottom = -top;
-};
-
-Heights HeightsOf(const PlanarMap& map) {
-  Heights range;
-  for (const MapEdge& edge : map.edges) {
-    for (const Vector2d& p : edge.points) {
-      range.top = std::min(range.top, p.y());
-      range.bottom = std::max(range.bottom, p.y());
-    }
-  }
-  return range;
-}
-
 /// True when the line runs down to the ground and turns there.
 bool HasFlankAndFoot(const PlanarMap& map, const OpenLine& line, const Heights& range) {
   const double top = line.points.front().y();
@@ -119,6 +104,7 @@ bool EnclosesLeg(const PlanarMap& map, Polyline ring, const std::array<Vector2d,
 }  // namespace
 
 std::vector<Closure> FindOpenLegs(const PlanarMap& map, double reach) {
+  if (map.nodes.empty()) return {};
   const Heights range = HeightsOf(map);
   std::vector<OpenLine> lines;
   for (const MapNode& node : map.nodes) {

@@ -3,6 +3,7 @@
 #include <numbers>
 #include <optional>
 
+#include "sketch/map/heights.h"
 #include "sketch/parts/limb_cut.h"
 
 namespace lascaux {
@@ -131,22 +132,6 @@ bool ChordIsInside(const FaceView& face, const Vector2d& a, const Vector2d& b) {
     if (!Contains(face.line.points, a + share * (b - a))) return false;
   }
   return true;
-}
-
-/// Heights between which the drawing lies, as seen on the page.
-struct Heights {
-  double top = 0, bottom = 0;
-};
-
-Heights HeightsOf(const PlanarMap& map) {
-  Heights heights{map.nodes.front().position.y(), map.nodes.front().position.y()};
-  for (const MapEdge& edge : map.edges) {
-    for (const Vector2d& p : edge.points) {
-      heights.top = std::min(heights.top, p.y());
-      heights.bottom = std::max(heights.bottom, p.y());
-    }
-  }
-  return heights;
 }
 
 bool IsLeg(const Contour& contour, const Lobe& lobe, const Heights& heights) {
