@@ -145,6 +145,15 @@ TEST(PlanarMap, WhereTheOutlineIsClosedNoWideGapIs) {
   EXPECT_EQ(Count(*map, CycleKind::kBorder), 1);
 }
 
+TEST(PlanarMap, WideGapOfAHeadIsClosedThoughABodyIsEnclosed) {
+  // A third of the lines would stay outside; the head's end is 6 % of the size from the body.
+  const auto map = BuildPlanarMap(
+      SketchOf({Loop(kSquare), Straight({{0, 10}, {-80, 10}, {-80, 60}, {-12, 60}})}));
+  ASSERT_TRUE(map);
+  EXPECT_TRUE(Has(map.diagnostics(), "gap-closed"));
+  EXPECT_EQ(Count(*map, CycleKind::kBorder), 2);
+}
+
 TEST(PlanarMap, LineMayCloseOntoItself) {
   // A long tail, the animal, and back up to the tail: the end points at its own line.
   const auto map = BuildPlanarMap(

@@ -25,11 +25,10 @@ using Eigen::Vector2d;
 constexpr double kSlip = 0.01;
 /// Largest turn between a gap and the lines that it joins, as long as the drawing may be closed.
 constexpr double kMaxTurn = std::numbers::pi / 3;
-/// In a drawing of an animal at least this share of the lines has an inside beside it; the others
-/// are whiskers, manes, antlers, tails of one line.
-constexpr double kLeastCoverage = 0.65;
-/// Where that is not so, wider gaps are looked for, by this factor again and again.
-constexpr double kWider = 1.5;
+/// In a drawing of an animal at least this share of the lines has an inside beside it (0.79 or more
+/// in 50 drawings that are closed as they are meant); the others are whiskers, manes, antlers,
+/// tails of one line. Where that is not so, wider gaps are looked for.
+constexpr double kLeastCoverage = 0.8;
 /// A drawing with more free ends than this is fur or hatching: it is not looked at for wide gaps.
 constexpr std::size_t kMostEnds = 400;
 /// Lines that run side by side nearer than this may be meant to touch.
@@ -182,9 +181,8 @@ Outcome<int> Draw(Working& work, const std::vector<Closure>& closures) {
   return {static_cast<int>(closures.size()), std::move(log)};
 }
 
-/// Closes what is worth closing within `search`; the number of closures.
-Outcome<int> CloseRound(Working& work, const ClosureSearch& search) {
-  const std::vector<Closure> found = FindClosures(work.map, search);
+/// Draws those closures that are worth it together; their number.
+Outcome<int> DrawBest(Working& work, const std::vector<Closure>& found) {
   if (found.empty()) return 0;
   Diagnostics log;
   const auto chosen = ChooseClosures(work.lines, found, work.map.diagonal).MoveInto(log);
@@ -202,13 +200,12 @@ Outcome<PlanarMap> CloseGaps(PlanarMap map, std::vector<ArrangementLine> lines,
   Diagnostics log;
   Working work{std::move(map), std::move(lines)};
   const double size = work.map.diagonal;
-  if (!CloseRound(work, {.reach = options.bridge * size, .max_turn = kMaxTurn}).MoveInto(log))
+  const ClosureSearch narrow{.reach = options.bridge * size, .max_turn = kMaxTurn};
+  if (!DrawBest(work, FindClosures(work.map, narrow)).MoveInto(log))
     return Result::Failure(std::move(log));
-  const bool crowded = FreeEnds(work.map) > kMostEnds;
-  for (double reach = options.bridge;
-       reach < options.bridge_max && !crowded && !EnclosesAnimal(work.map);) {
-    reach = std::min(kWider * reach, options.bridge_max);
-    if (!CloseRound(work, {.reach = reach * size, .max_turn = std::numbers::pi}).MoveInto(log))
+  if (FreeEnds(work.map) <= kMostEnds && !EnclosesAnimal(work.map)) {
+    const ClosureSearch wide{.reach = options.bridge_max * size, .max_turn = std::numbers::pi};
+    if (!DrawBest(work, FindClosures(work.map, wide)).MoveInto(log))
       return Result::Failure(std::move(log));
   }
   const double least = kLeastBodyShare * BoxArea(work.map);
@@ -222,7 +219,7 @@ Outcome<PlanarMap> CloseGaps(PlanarMap map, std::vector<ArrangementLine> lines,
     if (!redrawn) return Result::Failure(std::move(log));
     work.map = std::move(*redrawn);
   }
-  if (!Draw(work, FindOpenLegs(work.map, options.bridge_max * size)).MoveInto(log))
+  if (!DrawBest(work, FindOpenLegs(work.map, options.bridge_max * size)).MoveInto(log))
     return Result::Failure(std::move(log));
   if (!Draw(work, FindAttachments(work.map)).MoveInto(log)) return Result::Failure(std::move(log));
   if (LargestFace(work.map) < least) {

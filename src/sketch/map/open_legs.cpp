@@ -126,6 +126,7 @@ std::vector<Closure> FindOpenLegs(const PlanarMap& map, double reach) {
     if (top) chosen.push_back(*top);
     if (foot) chosen.push_back(*foot);
   }
+  for (Closure& c : chosen) c.price = 0;
   return chosen;
 }
 

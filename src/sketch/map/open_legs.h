@@ -11,7 +11,8 @@
 namespace lascaux {
 
 /// Closures, at most `reach` (sketch units) long, that make cells of such legs; two for a line that
-/// touches nothing, one for a line that begins on the outline.
+/// touches nothing, one for a line that begins on the outline. Their price is nothing: what they
+/// have to enclose is looked at here.
 ///
 /// The line lies outside, begins in the lower part of the drawing and comes down to its lowest
 /// third, turns there into a foot (a line that just ends is a tail, or a leg without width), and
