@@ -12,7 +12,6 @@
 #include "grid_plugin.h"
 #include "lascaux/skeleton/normalise_outline.h"
 #include "lascaux/volume/extract_mesh.h"
-#include "lascaux/volume/keep_vertices.h"
 #include "lascaux/volume/narrow_band.h"
 #include "lascaux/volume/simplify.h"
 #include "mesh_details_of.h"
@@ -34,8 +33,9 @@ class Run {
     if (!Read() || options_.last == LastStage::kSketch) return;
     const bool understood = Understand() && ExtractSkeleton() && Fit();
     if (!understood || options_.last == LastStage::kCreature) return;
-    if (!MakeVolume() || !MakeMesh() || !PrepareForPrint() || !TakeFewerFaces() || !Measure())
-      return;
+    if (!MakeVolume() || !MakeMesh() || !PrepareForPrint() || !TakeFewerFaces()) return;
+    Settle();
+    if (!Measure()) return;
     if (options_.print_warnings) WarnOfPrint();
     if (options_.last == LastStage::kPreview) RenderPreview();
   }
@@ -137,10 +137,7 @@ class Run {
   bool MakeMesh() {
     const Stopwatch watch(model_.timings, "mesh");
     execution_.Report("extracting the mesh", 0);
-    if (!Keep(ExtractMesh(model_.grid->surface, *model_.field, execution_), model_.mesh))
-      return false;
-    StandOnGround(model_);
-    return true;
+    return Keep(ExtractMesh(model_.grid->surface, *model_.field, execution_), model_.mesh);
   }
 
   bool PrepareForPrint() {
@@ -156,27 +153,23 @@ class Run {
       return false;
     model_.print_record = RecordOf(std::move(prepared->changes), model_, execution_);
     const PrintChanges& changes = model_.print_record->changes;
-    if (changes.thickened.empty() && !changes.plate && !changes.cavity) {
-      Log(DescribeChanges(*model_.print_record, options_.print));
-      return true;
-    }
+    if (changes.thickened.empty() && !changes.plate && !changes.cavity) return true;
     model_.grid->surface = std::move(prepared->band);
     model_.grid_facts = FactsOf(model_.grid->surface);
-    const Mesh before = *std::move(model_.mesh);
-    if (!Keep(ExtractMesh(model_.grid->surface, execution_), model_.mesh)) return false;
-    KeepVertices(before, LatticeOf(model_.grid->surface), *model_.mesh);
-    StandOnGround(model_);
-    Log(DescribeChanges(*model_.print_record, options_.print));
-    return true;
+    return Keep(ExtractMesh(model_.grid->surface, *model_.field, prepared->unchanged, execution_),
+                model_.mesh);
   }
 
   bool TakeFewerFaces() {
     if (!options_.faces) return true;
     const Stopwatch watch(model_.timings, "simplify");
     execution_.Report("collapsing edges", 0);
-    if (!Keep(Simplify(*model_.mesh, *options_.faces, execution_), model_.mesh)) return false;
+    return Keep(Simplify(*model_.mesh, *options_.faces, execution_), model_.mesh);
+  }
+
+  void Settle() {
     StandOnGround(model_);
-    return true;
+    if (model_.print_record) Log(DescribeChanges(*model_.print_record, options_.print));
   }
 
   void Log(Diagnostics found) {

@@ -96,13 +96,22 @@ class CornerValues {
   std::array<const float*, 8> values_;
 };
 
+/// Where the vertices go: onto the field's surface, if there is one, in some cells or in all.
+struct Target {
+  const CompiledField* field = nullptr;
+  const std::vector<VoxelMask>* cells = nullptr;
+
+  bool Holds(std::size_t block, std::size_t cell) const {
+    return cells == nullptr || ((*cells)[block][cell / 64] >> cell % 64 & 1) != 0;
+  }
+};
+
 /// The mesh while it is made: vertices also as places in their cells, from 0 to 1.
 class Extraction {
  public:
-  /// With a field, its surface is where the vertices go.
-  Extraction(const NarrowBand& band, const CompiledField* field)
+  Extraction(const NarrowBand& band, const Target& target)
       : band_(band),
-        field_(field),
+        target_(target),
         cells_(FindSurfaceCells(band)),
         numbering_(NumberParts(cells_)) {}
 
@@ -113,7 +122,7 @@ class Extraction {
     in_cell_.resize(vertices);
     tbb::parallel_for(std::size_t{0}, band_.size(), [this](std::size_t b) {
       PlaceVertices(b);
-      if (field_ != nullptr) RefineVertices(b);
+      if (target_.field != nullptr) RefineVertices(b);
     });
     tbb::parallel_for(std::size_t{0}, band_.size(), [this](std::size_t b) { ConnectVertices(b); });
     return std::move(mesh_);
@@ -153,12 +162,12 @@ class Extraction {
     std::vector<std::uint32_t> which;
     std::vector<Eigen::Vector3i> cells;
     cells_.ForCells(block, [&](std::size_t cell, std::size_t number) {
-      if (cells_.Pieces(number).count != 1) return;
+      if (cells_.Pieces(number).count != 1 || !target_.Holds(block, cell)) return;
       which.push_back(numbering_.vertex[number]);
       cells.push_back(InBlock(cell));
       places.push_back(cells.back().cast<float>() + in_cell_[which.back()]);
     });
-    MoveOntoSurface(*field_, band_, block, places);
+    MoveOntoSurface(*target_.field, band_, block, places);
     for (std::size_t i = 0; i < which.size(); ++i) {
       const Vector3f in_cell = places[i] - cells[i].cast<float>();
       if (in_cell.minCoeff() < kLeastInCell || in_cell.maxCoeff() > 1 - kLeastInCell) continue;
@@ -253,7 +262,7 @@ class Extraction {
   }
 
   const NarrowBand& band_;
-  const CompiledField* field_;
+  Target target_;
   SurfaceCells cells_;
   Numbering numbering_;
   Mesh mesh_;
@@ -264,8 +273,7 @@ class Extraction {
 
 namespace {
 
-Outcome<Mesh> Extract(const NarrowBand& band, const CompiledField* field,
-                      const Execution& execution) {
+Outcome<Mesh> Extract(const NarrowBand& band, const Target& target, const Execution& execution) {
   using Result = Outcome<Mesh>;
   const auto cancelled = [] {
     return Error(FailureKind::kInterrupted, "cancelled", "the run was stopped");
@@ -274,7 +282,7 @@ Outcome<Mesh> Extract(const NarrowBand& band, const CompiledField* field,
   try {
     std::optional<Result> result;
     RunInArena(execution,
-               [&] { result = KeepLargestShell(Extraction(band, field).Run(), band.voxel_size); });
+               [&] { result = KeepLargestShell(Extraction(band, target).Run(), band.voxel_size); });
     if (execution.IsCancelled()) return Result::Failure(cancelled());
     return std::move(*result);
   } catch (const std::bad_alloc&) {
@@ -288,12 +296,18 @@ Outcome<Mesh> Extract(const NarrowBand& band, const CompiledField* field,
 }  // namespace
 
 Outcome<Mesh> ExtractMesh(const NarrowBand& band, const Execution& execution) {
-  return Extract(band, nullptr, execution);
+  return Extract(band, {}, execution);
 }
 
 Outcome<Mesh> ExtractMesh(const NarrowBand& band, const Field& field, const Execution& execution) {
   const CompiledField compiled(field);
-  return Extract(band, &compiled, execution);
+  return Extract(band, {&compiled}, execution);
+}
+
+Outcome<Mesh> ExtractMesh(const NarrowBand& band, const Field& field,
+                          const std::vector<VoxelMask>& cells, const Execution& execution) {
+  const CompiledField compiled(field);
+  return Extract(band, {&compiled, &cells}, execution);
 }
 
 }  // namespace lascaux

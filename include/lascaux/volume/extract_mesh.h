@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "lascaux/base/execution.h"
 #include "lascaux/base/outcome.h"
 #include "lascaux/field/field.h"
@@ -36,5 +38,11 @@ Outcome<Mesh> ExtractMesh(const NarrowBand& band, const Execution& execution = {
 /// share a cell where they were. About 60 ns a vertex more.
 Outcome<Mesh> ExtractMesh(const NarrowBand& band, const Field& field,
                           const Execution& execution = {});
+
+/// The same for a band that was changed since it was made of the field: only vertices in `cells`
+/// (one mask a block, bit by lowest voxel) go onto the field's surface. Where a band and those
+/// around it are unchanged, vertices are what they would be without the change, bit by bit.
+Outcome<Mesh> ExtractMesh(const NarrowBand& band, const Field& field,
+                          const std::vector<VoxelMask>& cells, const Execution& execution = {});
 
 }  // namespace lascaux

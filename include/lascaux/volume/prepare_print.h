@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "lascaux/base/execution.h"
 #include "lascaux/base/outcome.h"
 #include "lascaux/volume/mesh.h"
@@ -11,6 +13,7 @@ namespace lascaux {
 /// A level set that was changed for printing.
 struct PreparedPrint {
   NarrowBand band;
+  std::vector<VoxelMask> unchanged;  ///< cells of it that are as they were, for ExtractMesh
   PrintChanges changes;
 };
 
@@ -28,9 +31,9 @@ struct PreparedPrint {
 ///   that width and does not show in the view from the side, or from the lowest of all if each
 ///   shows. No cavity where no drain comes out freely.
 ///
-/// `mesh` is the band's surface. Sides that are farther than that from any change keep their
-/// distances bit by bit where they are less than a voxel. The same bits for any number of threads.
-/// Errors: "print-too-coarse" (walls of less than two voxels are asked for), "cancelled".
+/// `mesh` is the band's surface. What is farther from any change keeps its distances bit by bit.
+/// The same bits for any number of threads. Errors: "print-too-coarse" (walls of less than two
+/// voxels are asked for), "cancelled".
 Outcome<PreparedPrint> PreparePrint(const NarrowBand& band, const Mesh& mesh,
                                     const PrintOptions& options, const Execution& execution = {});
 

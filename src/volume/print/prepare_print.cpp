@@ -13,6 +13,7 @@
 #include "volume/print/hollow.h"
 #include "volume/print/plate.h"
 #include "volume/print/stamp.h"
+#include "volume/print/unchanged_cells.h"
 
 namespace lascaux {
 namespace {
@@ -77,7 +78,9 @@ PreparedPrint Prepare(const NarrowBand& band, const Mesh& mesh, const PrintOptio
   }
   if (options.hollow) changes.cavity = Hollow(*grid, *options.hollow);
   openvdb::tools::pruneLevelSet(grid->tree());
-  return {ToNarrowBand(*grid, execution), std::move(changes)};
+  NarrowBand prepared = ToNarrowBand(*grid, execution);
+  std::vector<VoxelMask> unchanged = UnchangedCells(band, prepared);
+  return {std::move(prepared), std::move(unchanged), std::move(changes)};
 }
 
 }  // namespace
