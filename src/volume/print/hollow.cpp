@@ -28,6 +28,7 @@ constexpr double kDrain = 4;        // mm across: resin still runs out of it
 constexpr double kDrainVoxels = 4;  // a narrower hole would be a matter of luck
 constexpr double kHidden = 0.25;    // voxels by which something else must at least be as low
 constexpr int kAround = 8;          // places on the drain's rim that are looked at
+constexpr double kFlat = 0.866;     // cos 30 degrees: how steep the outside is around a drain
 
 /// The lowest voxel inside of each column along y.
 class Floor {
@@ -68,14 +69,23 @@ struct Drain {
   double radius = 0;  // in voxels
 };
 
+/// The solid's signed distances, as deep as a drain with a wall around it. In voxels.
+struct Depths {
+  const FloatGrid& grid;
+  double radius = 0, wall = 0;
+};
+
 /// Finds where the drain goes.
 class DrainSearch {
  public:
-  DrainSearch(const FloatGrid& solid, const FloatGrid& cavity, double radius)
+  DrainSearch(const FloatGrid& solid, const FloatGrid& cavity, const Depths& depths)
       : solid_(solid.getConstAccessor()),
         cavity_(cavity.getConstAccessor()),
+        depth_(depths.grid.getConstAccessor()),
         floor_(solid),
-        radius_(radius),
+        radius_(depths.radius),
+        voxel_(solid.voxelSize().x()),
+        least_depth_(voxel_ * (depths.radius + depths.wall)),
         bottom_(solid.evalActiveVoxelBoundingBox().min().y()) {}
 
   /// The lowest of the places (nearest to the middle plane of equally low ones) from which a drain
@@ -100,11 +110,11 @@ class DrainSearch {
   }
 
  private:
-  /// Where a drain straight down has come out all around; none where it would run along another
-  /// part of the body, or open right before one.
+  /// Where a drain straight down has come out all around; none where it would leave a thin wall or
+  /// a sharp edge, run along another part of the body, or open right before one.
   std::optional<int> EndBelow(const Coord& place) const {
     const std::optional<int> middle = ExitBelow(place);
-    if (!middle) return std::nullopt;
+    if (!middle || !HasWallsAround(place, *middle)) return std::nullopt;
     int lowest = *middle;
     for (int i = 0; i < kAround; ++i) {
       const double angle = 2 * M_PI * i / kAround;
@@ -125,9 +135,21 @@ class DrainSearch {
     return exit;
   }
 
-  FloatGrid::ConstAccessor solid_, cavity_;
+  /// Does a drain from the place to below `exit` have walls all the way, to an outside that is flat
+  /// enough around it?
+  bool HasWallsAround(Coord at, int exit) const {
+    for (; at.y() > exit; --at.y()) {
+      const double above = voxel_ * (at.y() - exit - 1);
+      if (-static_cast<double>(depth_.getValue(at)) < std::min(least_depth_, kFlat * above))
+        return false;
+    }
+    return true;
+  }
+
+  FloatGrid::ConstAccessor solid_, cavity_, depth_;
   Floor floor_;
-  double radius_;
+  double radius_;               // in voxels
+  double voxel_, least_depth_;  // in the solid's unit
   int bottom_;
 };
 
@@ -175,7 +197,8 @@ std::optional<Cavity> Hollow(FloatGrid& grid, double wall) {
   std::vector<FloatGrid::Ptr> cavities;  // the largest first
   openvdb::tools::segmentSDF(*inner, cavities);
   for (const FloatGrid::Ptr& cavity : cavities) {
-    const auto drain = DrainSearch(grid, *cavity, radius / voxel).Find(places);
+    const Depths depths = {*depth, radius / voxel, wall / voxel};
+    const auto drain = DrainSearch(grid, *cavity, depths).Find(places);
     if (!drain) continue;
     Cavity made;
     made.saved = openvdb::tools::levelSetVolume(*cavity) / openvdb::tools::levelSetVolume(grid);
