@@ -1,6 +1,7 @@
 #include "command.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -44,6 +45,14 @@ Diagnostics CheckInputs(const CommandOptions& options) {
   return errors;
 }
 
+/// Would a volume's bytes end on a terminal?
+bool ShowsVolume(const std::vector<OutputRequest>& requests) {
+  return isatty(STDOUT_FILENO) == 1 &&
+         std::any_of(requests.begin(), requests.end(), [](const OutputRequest& request) {
+           return request.name == "-" && request.kind == OutputKind::kVdb;
+         });
+}
+
 /// The formats of -o, and the reports of --report whatever their ending.
 Outcome<std::vector<std::vector<OutputTarget>>> Plan(Verb verb, const CommandOptions& options) {
   Diagnostics log;
@@ -51,6 +60,10 @@ Outcome<std::vector<std::vector<OutputTarget>>> Plan(Verb verb, const CommandOpt
   if (!requests) return Outcome<std::vector<std::vector<OutputTarget>>>::Failure(std::move(log));
   for (const std::string& name : options.reports) requests->push_back({OutputKind::kReport, name});
   for (const Diagnostic& error : CheckVolume(options.write.volume, *requests)) log.push_back(error);
+  if (ShowsVolume(*requests))
+    log.push_back(Usage("terminal-output",
+                        "-o -: a .vdb is not for a terminal's eyes: send it into a file or another "
+                        "program, or name a file"));
   if (HasError(log))
     return Outcome<std::vector<std::vector<OutputTarget>>>::Failure(std::move(log));
   return PlanOutputs(options.sketches, *requests);

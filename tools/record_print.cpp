@@ -36,6 +36,15 @@ Diagnostic ThickenedNote(const PrintRecord& record, double wall) {
                           wall, parts, (wall - record.thickened[0].thinnest.thickness) / 2));
 }
 
+Diagnostic StillThinWarning(const std::vector<Wall>& walls, double wanted) {
+  const Wall& thinnest = *std::min_element(
+      walls.begin(), walls.end(), [](auto& a, auto& b) { return a.thickness < b.thickness; });
+  return Warning("wall-still-thin",
+                 fmt::format("only {:.2f} mm thick at {}, not {:.3g}: the voxels are too coarse "
+                             "there; take a higher --resolution",
+                             thinnest.thickness, PlaceText(thinnest.middle), wanted));
+}
+
 Diagnostic PlateNote(const Plate& plate) {
   return Note("base-added", fmt::format("it would not stand: a plate {:.1f} mm thick is under its "
                                         "feet, reaching {:.1f} mm beyond them",
@@ -79,6 +88,7 @@ PrintRecord RecordOf(PrintChanges changes, const Model& model, const Execution& 
 
 void Lift(PrintRecord& record, double by) {
   for (Wall& wall : record.changes.thickened) wall.middle.y() += by;
+  for (Wall& wall : record.changes.still_thin) wall.middle.y() += by;
   for (ThickenedPart& part : record.thickened) part.thinnest.middle.y() += by;
   if (auto& plate = record.changes.plate) plate->bottom += by, plate->top += by;
   if (auto& cavity = record.changes.cavity) cavity->opening.y() += by;
@@ -88,6 +98,8 @@ Diagnostics DescribeChanges(const PrintRecord& record, const PrintOptions& optio
   Diagnostics log;
   if (options.min_wall && !record.thickened.empty())
     log.push_back(ThickenedNote(record, *options.min_wall));
+  if (options.min_wall && !record.changes.still_thin.empty())
+    log.push_back(StillThinWarning(record.changes.still_thin, *options.min_wall));
   if (record.changes.plate) {
     log.push_back(PlateNote(*record.changes.plate));
   } else if (options.base != Base::kNone) {

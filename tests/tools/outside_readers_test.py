@@ -38,7 +38,17 @@ class OutsideReadersTest(ProgramTest):
                                               self.folder / "cat.vdb")), 0.1, delta=0.02)
 
     def test_admesh_finds_nothing_to_repair(self):
-        text = self.ask("admesh", self.folder / "cat.stl")
+        self.assert_nothing_to_repair(self.folder / "cat.stl")
+
+    def test_admesh_finds_nothing_to_repair_in_what_was_changed_for_printing(self):
+        for i, options in enumerate((("--base",), ("--min-wall", 2), ("--hollow", 2), ("--faces", 5000),
+                                     ("--base", "--min-wall", 2, "--hollow", 3, "--faces", 20000))):
+            path = self.folder / f"{i}.stl"
+            self.assert_code(run("build", EXAMPLES / "whale.svg", "-o", path, "--resolution", 128, *options), 0)
+            self.assert_nothing_to_repair(path)
+
+    def assert_nothing_to_repair(self, path):
+        text = self.ask("admesh", path)
         numbers = {}
         for line in text.splitlines():
             for item in ("Edges fixed", "Facets removed", "Facets added", "Facets reversed",

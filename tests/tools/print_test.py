@@ -39,7 +39,8 @@ class PrintTest(ProgramTest):
         thick = self.build("cat", "--min-wall", 2)
         self.assertIn("wall-thickened", self.codes)
         self.assertAlmostEqual(thick["print"]["thickened"][0]["was"], thin, places=6)
-        self.assertGreater(thick["mesh"]["smallest_wall"]["thickness"], 1.6)  # less a third of a voxel
+        self.assertGreater(thick["mesh"]["smallest_wall"]["thickness"], 2 - 0.02 * 100 / 128)
+        self.assertNotIn("wall-still-thin", self.codes)
 
     def test_a_cavity_has_its_walls_and_a_drain_and_does_not_show(self):
         solid = self.build("cat")
@@ -50,7 +51,7 @@ class PrintTest(ProgramTest):
         self.assertGreater(saved, 20)
         self.assertLess(abs(share - saved), 3)
         self.assertEqual(hollow["mesh"]["genus"], 0)  # a cavity by itself would be a second shell
-        # Cells with several vertices take theirs from the level set instead of the field; at 128 voxels IoU shows it.
+        # All that may show from the side is the drain.
         for field, accuracy in (("iou", 3e-4), ("contour_mean_percent", 0.005)):
             self.assertLess(abs(hollow["fidelity"][field] - solid["fidelity"][field]), accuracy)
         self.build("cat", "--hollow", 3, "--size", 20)

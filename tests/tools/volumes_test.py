@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Volumes as other programs find them: pyopenvdb reads every grid of every preset."""
 import os
+import pty
 import subprocess
 import unittest
 
@@ -51,6 +52,24 @@ class VolumesTest(ProgramTest):
                 self.assertAlmostEqual(low[up], 0, delta=0.15 * voxel)
                 self.assertAlmostEqual(size[0], 0.1 * per_metre, delta=voxel)
                 self.assertGreater(size[up], 2 * size[3 - up])  # higher than wide
+
+    def test_a_terminal_is_no_place_for_a_volume(self):
+        terminal, program = pty.openpty()
+        done = subprocess.run([PROGRAM, "build", CAT, "-o", "-", *map(str, SMALL)], stdout=program,
+                              stderr=subprocess.PIPE, text=True, timeout=60)
+        os.close(program)
+        os.close(terminal)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("terminal-output", done.stderr)
+
+    def test_what_is_printed_is_what_the_volume_holds(self):
+        solid, _ = self.build("--parts", "--fog")
+        printed, _ = self.build("--parts", "--fog", "--hollow", 4, "--size", 60)
+        self.assertEqual(sorted(printed), sorted(solid))
+        inside = {name: sum(1 for at in grids["density"].citerOnValues() if at.value > 0.5 and at.count == 1)
+                  for name, grids in (("solid", solid), ("printed", printed))}
+        self.assertLess(inside["printed"], inside["solid"])
+        self.assertEqual(printed["part_body"].activeVoxelCount(), solid["part_body"].activeVoxelCount())
 
     def test_all_there_is(self):
         grids, _ = self.build("--parts", "--fog", "--color")

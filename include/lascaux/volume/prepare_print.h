@@ -21,7 +21,8 @@ struct PreparedPrint {
 ///
 /// - min_wall: balls of that diameter in the middle of every place where two sides are nearer
 ///   (FindThinWalls, from each triangle), so that each side moves by half of what is missing, and
-///   by less and less towards where nothing is;
+///   by less and less towards where nothing is. Measured and done again, with balls up to half a
+///   voxel wider, where a wall lacks more than 0.02 voxel, at most 8 times;
 /// - base: when the centre of mass is less than 5 % of its height within the feet, a plate under
 ///   the feet and the point below it. 2.5 % of the longest side thick, of which the feet are in the
 ///   upper two fifths; it reaches at least 4 % of the longest side, and 15 % of that height,

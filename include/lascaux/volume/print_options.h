@@ -47,7 +47,8 @@ struct Cavity {
 
 /// What was changed; empty: nothing.
 struct PrintChanges {
-  std::vector<Wall> thickened;  ///< places that were thinner than PrintOptions::min_wall
+  std::vector<Wall> thickened;   ///< places that were thinner than PrintOptions::min_wall
+  std::vector<Wall> still_thin;  ///< places that still are, by over 0.02 voxel
   std::optional<Plate> plate;
   std::optional<Cavity> cavity;
 };

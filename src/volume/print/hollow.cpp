@@ -88,13 +88,14 @@ class DrainSearch {
         least_depth_(voxel_ * (depths.radius + depths.wall)),
         bottom_(solid.evalActiveVoxelBoundingBox().min().y()) {}
 
-  /// The lowest of the places (nearest to the middle plane of equally low ones) from which a drain
-  /// can go; one that shows from the side only where there is no other.
+  /// The lowest of the places (the widest of equally low ones, nearest to the middle plane) from
+  /// which a drain can go; one that shows from the side only where there is no other.
   std::optional<Drain> Find(std::vector<Coord> places) const {
-    std::sort(places.begin(), places.end(), [](const Coord& a, const Coord& b) {
-      return std::tuple(a.y(), std::abs(a.z()), a.x(), a.z()) <
-             std::tuple(b.y(), std::abs(b.z()), b.x(), b.z());
-    });
+    const auto order = [this](const Coord& at) {
+      return std::tuple(at.y(), depth_.getValue(at), std::abs(at.z()), at.x(), at.z());
+    };
+    std::sort(places.begin(), places.end(),
+              [&order](const Coord& a, const Coord& b) { return order(a) < order(b); });
     std::optional<Drain> seen;
     for (const Coord& place : places) {
       if (!(cavity_.getValue(place) < 0)) continue;

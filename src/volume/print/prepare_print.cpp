@@ -21,24 +21,49 @@ namespace {
 using openvdb::FloatGrid;
 
 constexpr double kThinnestVoxels = 2;  // of a wall: its two sides must not share voxels
+constexpr double kTolerance = 0.02;    // voxels that a thickened wall may lack
+constexpr double kMostMore = 0.5;      // voxels by which a ball is wider than the wall it makes
+constexpr int kMostRounds = 8;         // examples take two to six
 
-/// Centres of balls, as OpenVDB wants to have them.
+/// Balls in the middle of walls, as OpenVDB wants to have them.
 struct Balls {
   using PosType = openvdb::Vec3R;
   const std::vector<Wall>& walls;
+  double thickness = 0;  ///< that the walls are to have
+  double gain = 0;       ///< diameters are larger by that times what a wall lacks
+  double most_more = 0;  ///< but by no more than this
 
   std::size_t size() const { return walls.size(); }
   void getPos(std::size_t i, PosType& p) const {
     p = {walls[i].middle.x(), walls[i].middle.y(), walls[i].middle.z()};
   }
+  void getPosRad(std::size_t i, PosType& p, openvdb::Real& radius) const {
+    getPos(i, p);
+    radius = (thickness + std::min(gain * (thickness - walls[i].thickness), most_more)) / 2;
+  }
 };
 
-void Thicken(FloatGrid& grid, const std::vector<Wall>& walls, double thickness) {
-  if (walls.empty()) return;
+void AddBalls(FloatGrid& grid, const Balls& balls) {
   openvdb::tools::ParticlesToLevelSet<FloatGrid> raster(grid);
   raster.setRmin(0);
-  raster.rasterizeSpheres(Balls{walls}, thickness / 2);
+  raster.rasterizeSpheres(balls);
   raster.finalize(/*prune=*/true);
+}
+
+/// Returns what is still thin. Balls on a lattice come out thinner than they are, and where a tip
+/// was too thin to have places of its own, they leave gaps: so again there, with larger balls.
+std::vector<Wall> Thicken(FloatGrid& grid, std::vector<Wall> walls, double thickness,
+                          const Execution& execution) {
+  const double voxel = grid.voxelSize().x();
+  double gain = 0;
+  for (int round = 0; round < kMostRounds && !walls.empty() && !execution.IsCancelled(); ++round) {
+    AddBalls(grid, {walls, thickness, gain, kMostMore * voxel});
+    gain = gain == 0 ? 1 : 2 * gain;
+    const auto mesh = ExtractMesh(grid, execution);
+    if (!mesh) break;
+    walls = FindThinWalls(*mesh, thickness - kTolerance * voxel, execution);
+  }
+  return walls;
 }
 
 void AddPlate(FloatGrid& grid, const Plate& plate) {
@@ -67,10 +92,7 @@ PreparedPrint Prepare(const NarrowBand& band, const Mesh& mesh, const PrintOptio
   const FloatGrid::Ptr grid = ToLevelSet(band, execution);
   if (options.min_wall) {
     changes.thickened = FindThinWalls(mesh, *options.min_wall, execution);
-    Thicken(*grid, changes.thickened, *options.min_wall);
-    // Where a tip was too thin to have places of its own, the balls leave gaps: once more there.
-    const Mesh thicker = *ExtractMesh(*grid, execution);
-    Thicken(*grid, FindThinWalls(thicker, *options.min_wall, execution), *options.min_wall);
+    changes.still_thin = Thicken(*grid, changes.thickened, *options.min_wall, execution);
   }
   if (options.base == Base::kWhenItFalls) {
     changes.plate = PlateUnder(mesh, band.voxel_size);
