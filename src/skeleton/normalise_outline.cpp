@@ -37,9 +37,20 @@ constexpr int kDepthSteps = 8, kMiddles = 4, kRefinements = 2;
 /// stay out: they would be stripes.
 constexpr int kSteps = 12;
 
+/// What the outline has to give up over this many fades to either side is undone by wide kernels.
+/// The rest, wobbles of the pen for the most part, is undone by narrow ones: carried round the body
+/// by wide ones, each wobble would be a ring.
+constexpr double kCalm = 2;
+/// Steepest slope of the kernel (1 - q^2)^3, and of log F at the surface of a cylinder of radius 1.
+constexpr double kKernelSlope = 1.72, kFieldSlope = 7.0 / 3;
+/// Narrow kernels may be as steep as this share of the field's slope: steeper ones would be
+/// grooves.
+constexpr double kMostSlope = 0.25;
+
 /// A place of the outline in model units, and the source of gain there.
 struct Sample {
   Vector2d place;
+  double radius = 0;  ///< of the disc there
   double fade = 0;    ///< distance at which its source ends
   double length = 0;  ///< of the outline that it stands for
   double wanted = 0;  ///< log gain
@@ -175,6 +186,7 @@ std::array<double, kLines> GreatestAlongZ(const CompiledField& field,
 struct Samples {
   std::vector<Sample> all;
   std::vector<double> trust;
+  std::vector<std::size_t> starts;  ///< of the runs, and the end of the last
 };
 
 Samples SampleOutlines(const Field& field, const DrawnOutline& drawn, double diagonal) {
@@ -189,6 +201,7 @@ Samples SampleOutlines(const Field& field, const DrawnOutline& drawn, double dia
     for (std::size_t k = 1; k < n; ++k)
       arcs[k] = arcs[k - 1] + drawn.frame.scale * (run[k] - run[k - 1]).norm();
     const bool closed = (run.front() - run.back()).norm() < kSpacing * diagonal / drawn.frame.scale;
+    samples.starts.push_back(samples.all.size());
     for (std::size_t k = 0; k < n; ++k) {
       constexpr std::size_t kWindow = 6;
       const std::size_t low = k < kWindow ? 0 : k - kWindow, high = std::min(n - 1, k + kWindow);
@@ -198,12 +211,65 @@ Samples SampleOutlines(const Field& field, const DrawnOutline& drawn, double dia
       const double fade =
           std::clamp(kFade * mean, kLeastFade * kCell * diagonal, kMostFade * diagonal);
       const double length = (arcs[std::min(n - 1, k + 1)] - arcs[k > 0 ? k - 1 : 0]) / 2;
-      samples.all.push_back({drawn.frame.ToModel(run[k]), fade, length, 0, 0});
+      samples.all.push_back({drawn.frame.ToModel(run[k]), mean, fade, length});
       samples.trust.push_back(closed ? 1.0
                                      : Smoothstep(std::min(arcs[k], arcs.back() - arcs[k]) / fade));
     }
   }
+  samples.starts.push_back(samples.all.size());
   return samples;
+}
+
+/// Calls visit(sample, other, share) for the samples of one run that are within kCalm fades along
+/// it; the shares fall from 1 to 0.
+template <typename Visit>
+void ForEachNeighbour(const Samples& samples, Visit visit) {
+  for (std::size_t run = 0; run + 1 < samples.starts.size(); ++run) {
+    const std::size_t first = samples.starts[run], end = samples.starts[run + 1];
+    for (std::size_t i = first; i < end; ++i) {
+      const double window = kCalm * samples.all[i].fade;
+      visit(i, i, 1.0);
+      for (const bool forward : {false, true}) {
+        double way = 0;
+        for (std::size_t j = i; forward ? j + 1 < end : j > first;) {
+          const std::size_t next = forward ? j + 1 : j - 1;
+          way += (samples.all[next].place - samples.all[j].place).norm();
+          if (way >= window) break;
+          j = next;
+          const double rest = 1 - way * way / (window * window);
+          visit(i, j, rest * rest);
+        }
+      }
+    }
+  }
+}
+
+/// The same samples that want their neighbours' mean.
+std::vector<Sample> Calmed(const Samples& samples) {
+  std::vector<Sample> calm = samples.all;
+  std::vector<double> sums(calm.size(), 0), weights(calm.size(), 0);
+  ForEachNeighbour(samples, [&](std::size_t i, std::size_t j, double share) {
+    const double weight = share * samples.all[j].length;
+    sums[i] += weight * samples.all[j].wanted;
+    weights[i] += weight;
+  });
+  for (std::size_t i = 0; i < calm.size(); ++i) {
+    if (weights[i] > 0) calm[i].wanted = sums[i] / weights[i];
+  }
+  return calm;
+}
+
+/// Fades as narrow as what is wanted nearby allows.
+void Narrow(Samples& samples, double least) {
+  std::vector<double> most(samples.all.size(), 0);
+  ForEachNeighbour(samples, [&](std::size_t i, std::size_t j, double share) {
+    most[i] = std::max(most[i], share * std::abs(samples.all[j].wanted));
+  });
+  for (std::size_t i = 0; i < most.size(); ++i) {
+    Sample& s = samples.all[i];
+    const double needed = kKernelSlope / (kMostSlope * kFieldSlope) * most[i] * s.radius;
+    s.fade = std::clamp(needed, least, std::max(least, s.fade));
+  }
 }
 
 /// What a unit source adds at a distance: along an even straight outline the sum is 1 on it.
@@ -212,8 +278,8 @@ double Kernel(const Sample& source, double squared_distance) {
   return rest > 0 ? rest * rest * rest * source.length / (kKernelIntegral * source.fade) : 0;
 }
 
-/// Sources whose sum is the wanted gain at each sample.
-void Solve(std::vector<Sample>& samples) {
+/// Sources whose sum is the wanted gain at each sample; what is still wanted then.
+std::vector<double> Solve(std::vector<Sample>& samples) {
   struct Entry {
     std::size_t sample;
     double weight;
@@ -239,14 +305,16 @@ void Solve(std::vector<Sample>& samples) {
     }
   }
   std::vector<double> rest(samples.size());
-  for (int step = 0; step < kSteps; ++step) {
+  for (int step = 0; step <= kSteps; ++step) {
     for (std::size_t i = 0; i < samples.size(); ++i) {
       rest[i] = samples[i].wanted;
       for (const Entry& entry : rows[i]) rest[i] -= entry.weight * samples[entry.sample].source;
     }
+    if (step == kSteps) break;
     for (std::size_t i = 0; i < samples.size(); ++i)
       samples[i].source += rest[i] / std::max(sums[i], 1.0);
   }
+  return rest;
 }
 
 constexpr int kRowsATask = 16;
@@ -305,8 +373,15 @@ std::optional<PlanarGain> GainOf(const Field& field, const DrawnOutline& drawn, 
       group[i].wanted = samples.trust[first + i] * log_gain;
     }
   });
+  std::vector<Sample> sources = Calmed(samples);
+  const std::vector<double> rest = Solve(sources);
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    samples.all[i].wanted += rest[i] - sources[i].wanted;
+  }
+  Narrow(samples, kLeastFade * kCell * diagonal);
   Solve(samples.all);
-  return TableOf(samples.all, kCell * diagonal);
+  sources.insert(sources.end(), samples.all.begin(), samples.all.end());
+  return TableOf(sources, kCell * diagonal);
 }
 
 }  // namespace

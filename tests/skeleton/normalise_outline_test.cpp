@@ -3,9 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "lascaux/field/field.h"
+#include "lascaux/skeleton/fit.h"
+#include "skeleton/index.h"
 #include "skeleton/ring.h"
 #include "skeleton/shapes.h"
 #include "skeleton/union_outline.h"
@@ -22,6 +26,13 @@ Field RawField(const testing::Drawing& drawing, const ModelFrame& frame) {
   return MakeField(
       *PlaceInDepth(drawing.parts, drawing.graph, AssembleCreature(drawing.graph, *skeletons)),
       frame);
+}
+
+/// And with it.
+Field FittedField(const testing::Drawing& drawing, const ModelFrame& frame) {
+  const auto skeletons = ExtractSkeletons(drawing.parts, drawing.graph);
+  const auto fitted = FitToDrawing(drawing.parts, AssembleCreature(drawing.graph, *skeletons));
+  return MakeField(*PlaceInDepth(drawing.parts, drawing.graph, *fitted), frame);
 }
 
 /// log of the greatest F over z at a place of the sketch, by brute force.
@@ -61,6 +72,46 @@ TEST(NormaliseOutline, LeavesTheMiddleOfTheBodyAlone) {
   const Vector2d middle = frame.ToModel({0, 0});
   EXPECT_EQ(Evaluate(raw, {middle.x(), middle.y(), 3}).value,
             Evaluate(exact, {middle.x(), middle.y(), 3}).value);
+}
+
+/// How far along a ray of the sketch, its origin and direction, the surface is at the depth `z`.
+double OutAlong(const Field& field, const ModelFrame& frame, const std::array<Vector2d, 2>& ray,
+                double z) {
+  double inside = 0, outside = 2;
+  for (int i = 0; i < 30; ++i) {
+    const double half = (inside + outside) / 2;
+    const Vector2d at = frame.ToModel(ray[0] + half * ray[1]);
+    (Evaluate(field, {at.x(), at.y(), z}).value > 1 ? inside : outside) = half;
+  }
+  return inside;
+}
+
+TEST(NormaliseOutline, WobblesOfThePenDoNotGoRoundTheBody) {
+  constexpr int kWaves = 24, kPlaces = 480;
+  constexpr double kPi = 3.14159265358979, kSize = 0.04, kWidth = 8, kHeight = 5, kStart = 1;
+  std::vector<Vector2d> points;
+  std::vector<std::array<Vector2d, 2>> rays;
+  for (int i = 0; i < kPlaces; ++i) {
+    const double turn = 2 * kPi * i / kPlaces;
+    const Vector2d on(kWidth * std::cos(turn), kHeight * std::sin(turn));
+    const Vector2d out =
+        Vector2d(on.x() / kWidth / kWidth, on.y() / kHeight / kHeight).normalized();
+    points.push_back(on + kSize * std::cos(kWaves * turn) * out);
+    rays.push_back({on - kStart * out, out});
+  }
+  const testing::Drawing drawing = testing::OnlyBody(testing::Drawn(points));
+  const ModelFrame frame = FrameOf(drawing.parts, drawing.graph, 100);
+  const Field exact =
+      NormaliseOutline(FittedField(drawing, frame), {drawing.parts, drawing.graph, frame});
+  const auto wobble = [&](double z) {
+    double sum = 0;
+    for (int i = 0; i < kPlaces; ++i) {
+      sum += std::cos(2 * kPi * kWaves * i / kPlaces) * OutAlong(exact, frame, rays[Index(i)], z);
+    }
+    return 2 * sum / kPlaces / kSize;
+  };
+  EXPECT_GT(wobble(0), 0.9);
+  EXPECT_LT(wobble(0.4 * kHeight * frame.scale), 0.1);
 }
 
 TEST(NormaliseOutline, IsTheSameForAnyNumberOfThreads) {

@@ -23,8 +23,10 @@ struct DrawnOutline {
 ///
 /// With m(x, y) the maximum of F over z, gain = 1/m on the drawn pieces of the union of the parts
 /// that are built: max F is then 1 on them, whatever fit and blend left. The logarithm of the gain
-/// is a sum of smooth kernels along the outline, about 0.6 local radii wide, so that it fades on
-/// both sides without a seam. Completions and joints are no outline, and where one part takes over
+/// is a sum of smooth kernels along the outline, which fade on both sides without a seam: kernels
+/// about 0.6 local radii wide for what changes slowly along the outline, and for the wobbles of the
+/// pen narrow ones that keep these from going round the body as rings. Completions and joints are
+/// no outline, and where one part takes over
 /// from another the gain is let go: the fillet there stays. log m is limited to kMostLogGain; where
 /// the field is further off, it is missing something that a factor cannot make. About 2000 samples,
 /// 39 field values each.
