@@ -99,9 +99,12 @@ std::string CheckText(const Checked& checked) {
                     print.wall->middle.x(), print.wall->middle.y(), print.wall->middle.z(),
                     print.wall_part.empty() ? "" : ", ", print.wall_part));
   if (print.stability)
-    row("stands", fmt::format("{}, centre of mass {:.3g} mm {} of the feet's outline",
-                              yes(print.stability->Stands()), std::abs(print.stability->margin),
-                              print.stability->Stands() ? "inside" : "outside"));
+    row("stands", fmt::format("{}, centre of mass {:.3g} mm {}", yes(print.stability->Stands()),
+                              std::abs(print.stability->margin),
+                              print.stability->Stands()
+                                  ? "within the feet's outline"
+                                  : fmt::format("outside of it: it rolls by {:.0f} degrees",
+                                                print.stability->tilt)));
   return text;
 }
 

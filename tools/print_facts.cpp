@@ -8,6 +8,9 @@
 namespace lascaux {
 namespace {
 
+constexpr double kUnseenTilt = 2;   // degrees: as feet that are drawn by hand differ
+constexpr double kSlightTilt = 10;  // degrees: it still stands for what was drawn
+
 std::string PlaceText(const Eigen::Vector3d& p) {
   return fmt::format("({:.1f}, {:.1f}, {:.1f})", p.x(), p.y(), p.z());
 }
@@ -16,6 +19,21 @@ std::string PlaceText(const Eigen::Vector3d& p) {
 std::string PartOf(const std::optional<Wall>& wall, const MeshDetails& details) {
   if (!wall || details.triangle_parts.empty()) return {};
   return details.parts[details.triangle_parts[wall->triangle]].name;
+}
+
+/// Of what rolls.
+Diagnostic TiltDiagnostic(const Stability& stability) {
+  if (stability.tilt <= kSlightTilt)
+    return Note("leans", fmt::format("it rolls by {:.0f} degrees before it comes to rest; --base "
+                                     "puts a plate under it",
+                                     stability.tilt));
+  return Warning("falls-over",
+                 fmt::format("the centre of mass is {:.1f} mm outside of the feet: it falls over, "
+                             "by {}; print it with --base",
+                             -stability.margin,
+                             stability.tilt < kFarthestTilt
+                                 ? fmt::format("{:.0f} degrees", stability.tilt)
+                                 : fmt::format("{:.0f} degrees or more", kFarthestTilt)));
 }
 
 }  // namespace
@@ -60,12 +78,8 @@ Diagnostics PrintWarnings(const PrintFacts& facts) {
         Note("tip-thin", fmt::format("{} ends thinner than {} mm at {}: its tip will be blunt",
                                      part, kThinWall, PlaceText(tip->middle))));
   }
-  if (facts.stability && !facts.stability->Stands()) {
-    warnings.push_back(
-        Warning("falls-over",
-                fmt::format("the centre of mass is {:.1f} mm outside of the feet: it falls over",
-                            -facts.stability->margin)));
-  }
+  if (facts.stability && facts.stability->tilt > kUnseenTilt)
+    warnings.push_back(TiltDiagnostic(*facts.stability));
   return warnings;
 }
 
@@ -80,6 +94,7 @@ Json PrintFactsJson(const std::optional<PrintFacts>& facts) {
   if (const auto& stability = facts->stability)
     json["stability"] = {{"center_of_mass", PlaceJson(stability->center_of_mass)},
                          {"margin", stability->margin},
+                         {"tilt", stability->tilt},
                          {"stands", stability->Stands()}};
   return json;
 }

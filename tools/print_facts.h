@@ -35,7 +35,8 @@ inline constexpr double kContact = 0.3;
 PrintFacts MeasureForPrint(const Mesh& mesh, const MeshDetails& details, double millimetres,
                            const Execution& execution = {});
 
-/// Warnings "wall-thin" and "falls-over"; note "tip-thin" where only tips are thin.
+/// Warnings "wall-thin" and "falls-over"; notes "tip-thin" where only tips are thin, and "leans"
+/// where it rolls by 2 to 10 degrees.
 Diagnostics PrintWarnings(const PrintFacts& facts);
 
 /// The same as fields of a JSON object: size, smallest_wall, stability; null for what was not

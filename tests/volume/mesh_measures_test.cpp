@@ -81,6 +81,17 @@ TEST(Stability, ABoxStandsByHalfItsWidthAndABallOnAPointHardly) {
   EXPECT_NEAR(falls->margin, -2.5, 0.2);
 }
 
+TEST(Stability, WhatRollsComesToRestWhereItsWeightIsLowest) {
+  EXPECT_EQ(MeasureStability(Sphere(4), 0.01)->tilt, 0);
+  // Two balls side by side, one higher by 1 of 5: both on the ground after asin(1 / sqrt(26)).
+  const auto pair = MeasureStability(Together(Sphere(5), Moved(Sphere(5), 5, 1, 0)), 0.002);
+  EXPECT_NEAR(pair->tilt, 11.3, 1);
+  // On its end, with a weight beside it.
+  const auto weight = Moved(Scaled(Sphere(3), 0.3F, 0.3F, 0.3F), 1, 0, 0);
+  EXPECT_EQ(MeasureStability(Together(Scaled(Sphere(4), 0.2F, 3, 0.2F), weight), 1e-4)->tilt,
+            kFarthestTilt);
+}
+
 TEST(PartOfPoints, IsThePartWithTheLargestFieldOfItsOwn) {
   ForSeeds(10, [](Random& random) {
     const Field field = RandomCreature(random);

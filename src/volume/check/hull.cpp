@@ -11,11 +11,11 @@ using Eigen::Vector2d;
 
 double Cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-double DistanceToEdge(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
+Vector2d NearestOnEdge(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
   const Vector2d along = b - a;
   const double length = along.squaredNorm();
   const double t = length > 0 ? std::clamp((p - a).dot(along) / length, 0.0, 1.0) : 0;
-  return (p - a - t * along).norm();
+  return a + t * along;
 }
 
 }  // namespace
@@ -40,12 +40,21 @@ std::vector<Vector2d> ConvexHull(std::vector<Vector2d> points) {
   return hull;
 }
 
+Vector2d NearestOnBorder(const Vector2d& p, const std::vector<Vector2d>& hull) {
+  Vector2d nearest = hull.front();
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const Vector2d q = NearestOnEdge(p, hull[i], hull[(i + 1) % hull.size()]);
+    if ((p - q).squaredNorm() < (p - nearest).squaredNorm()) nearest = q;
+  }
+  return nearest;
+}
+
 double SignedDistanceInside(const Vector2d& p, const std::vector<Vector2d>& hull) {
-  double nearest = std::numeric_limits<double>::infinity();
+  if (hull.empty()) return -std::numeric_limits<double>::infinity();
+  const double nearest = (p - NearestOnBorder(p, hull)).norm();
   bool inside = hull.size() >= 3;
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Vector2d &a = hull[i], &b = hull[(i + 1) % hull.size()];
-    nearest = std::min(nearest, DistanceToEdge(p, a, b));
     inside = inside && Cross(b - a, p - a) > 0;
   }
   return inside ? nearest : -nearest;

@@ -13,4 +13,7 @@ std::vector<Eigen::Vector2d> ConvexHull(std::vector<Eigen::Vector2d> points);
 /// Distance to the border of a hull, positive within it.
 double SignedDistanceInside(const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& hull);
 
+/// The nearest point of the border of a hull, which is not empty.
+Eigen::Vector2d NearestOnBorder(const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& hull);
+
 }  // namespace lascaux

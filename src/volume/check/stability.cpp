@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 #include <vector>
 
 #include "volume/check/hull.h"
@@ -12,6 +14,50 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
+
+constexpr double kStep = 0.5 * M_PI / 180;  // of rolling
+
+/// What touches the ground, seen along `down` from the centre of mass.
+struct Support {
+  Vector3d down;
+  Vector3d u, v;               ///< axes of the ground
+  std::vector<Vector2d> hull;  ///< in u and v
+};
+
+Support SupportOf(const Mesh& mesh, const Vector3d& center, const Vector3d& down, double contact) {
+  Support support;
+  support.down = down;
+  support.u = down.unitOrthogonal();
+  support.v = down.cross(support.u);
+  double lowest = -std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector3f& p : mesh.vertices)
+    lowest = std::max(lowest, down.dot(p.cast<double>() - center));
+  std::vector<Vector2d> feet;
+  for (const Eigen::Vector3f& p : mesh.vertices) {
+    const Vector3d arm = p.cast<double>() - center;
+    if (down.dot(arm) >= lowest - contact)
+      feet.emplace_back(support.u.dot(arm), support.v.dot(arm));
+  }
+  support.hull = ConvexHull(std::move(feet));
+  return support;
+}
+
+/// The solid rolls to where its centre of mass sinks fastest: over the place of the support that is
+/// nearest to below it. Returns the degrees when that is above the support.
+double RollToRest(const Mesh& mesh, const Vector3d& center, Support support, double contact) {
+  const Vector3d start = support.down;
+  double angle = 0;
+  while (angle < kFarthestTilt && SignedDistanceInside(Vector2d::Zero(), support.hull) <= 0) {
+    const Vector2d pivot = NearestOnBorder(Vector2d::Zero(), support.hull);
+    const Vector3d towards = pivot.x() * support.u + pivot.y() * support.v;
+    if (!(towards.norm() > 0)) break;
+    const Vector3d down =
+        (std::cos(kStep) * support.down - std::sin(kStep) * towards.normalized()).normalized();
+    support = SupportOf(mesh, center, down, contact);
+    angle = std::acos(std::clamp(start.dot(down), -1.0, 1.0)) * 180 / M_PI;
+  }
+  return std::min(angle, kFarthestTilt);
+}
 
 bool IsValid(const Mesh& mesh) {
   for (const Eigen::Vector3f& v : mesh.vertices)
@@ -41,12 +87,9 @@ std::optional<Stability> MeasureStability(const Mesh& mesh, double contact) {
   if (!(std::abs(volume) > 0)) return std::nullopt;
   Stability stability;
   stability.center_of_mass = origin + moment / volume;
-  std::vector<Vector2d> feet;
-  for (const Eigen::Vector3f& v : mesh.vertices)
-    if (static_cast<double>(v.y()) <= box.min().y() + contact)
-      feet.emplace_back(static_cast<double>(v.x()), static_cast<double>(v.z()));
-  const Vector2d below(stability.center_of_mass.x(), stability.center_of_mass.z());
-  stability.margin = SignedDistanceInside(below, ConvexHull(std::move(feet)));
+  const Support standing = SupportOf(mesh, stability.center_of_mass, -Vector3d::UnitY(), contact);
+  stability.margin = SignedDistanceInside(Vector2d::Zero(), standing.hull);
+  stability.tilt = RollToRest(mesh, stability.center_of_mass, standing, contact);
   return stability;
 }
 
