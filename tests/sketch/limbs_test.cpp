@@ -185,6 +185,17 @@ TEST(Limbs, HoovesAreMoreOfTheirLegs) {
   EXPECT_EQ(PartAt(*read, {130, 270}), PartAt(*read, {130, 200}));
 }
 
+TEST(Limbs, HoovesThatAreNotDrawnEvenlyAreMoreOfTheirLegs) {
+  // The leg's line ends with a hook, and the hoof's begins a little above it.
+  std::string calf = kCalf;
+  const std::string flank = "120,170 C118,210 120,240 116,270";
+  calf.replace(calf.find(flank), flank.size(),
+               "120,170 C118,210 119,230 117,254 L119,254.4 L116,253.9 L116,270");
+  const auto read = ReadDrawing(calf + R"(<path d="M119,254.4L141,256"/>)");
+  ASSERT_TRUE(read);
+  EXPECT_EQ(PartAt(*read, {130, 270}), PartAt(*read, {130, 200}));
+}
+
 /// What the order in depth says by that code.
 Diagnostics Findings(const std::string& content, const std::string& code) {
   const auto sketch = ReadSvg(Svg(content));

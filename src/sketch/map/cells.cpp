@@ -21,8 +21,12 @@ constexpr double kCrumb = 3.5e-3;
 /// reaches down, in the lowest part of the drawing (share of its height), and has at most this
 /// share of the animal's area. It is no far side of its own leg; legs are longer than their joints.
 constexpr double kFeet = 0.15, kMostHoof = 0.015;
-/// Above it the leg goes up on both sides, by at least this sine.
+/// Above it the leg goes up on both sides, by at least this sine over as long a way as the hoof is
+/// wide.
 constexpr double kSteep = 0.5;
+/// Lines that a hand joins are not quite even: the hoof may reach up beside the line above it, by
+/// this share of its length.
+constexpr double kUneven = 0.1;
 
 double AnimalArea(const PlanarMap& map) {
   double sum = 0;
@@ -70,8 +74,8 @@ bool IsOutside(const PlanarMap& map, int h) {
 }
 
 /// True when the outline runs upwards from both ends of the line that two cells share, along the
-/// upper one: a leg ends there.
-bool EndsALeg(const PlanarMap& map, int cell, int leg) {
+/// upper one, for `reach`: a leg ends there.
+bool EndsALeg(const PlanarMap& map, int cell, int leg, double reach) {
   std::set<int> joint;
   for (const int h : map.cycles[static_cast<std::size_t>(cell)].half_edges) {
     if (!IsOutside(map, h)) joint.insert({map.Origin(h), map.Target(h)});
@@ -79,8 +83,9 @@ bool EndsALeg(const PlanarMap& map, int cell, int leg) {
   int sides = 0;
   for (const int h : map.cycles[static_cast<std::size_t>(leg)].half_edges) {
     if (!IsOutside(map, h)) continue;
-    if (joint.contains(map.Origin(h)) && map.Departure(h).y() < -kSteep) ++sides;
-    if (joint.contains(map.Target(h)) && map.Arrival(h).y() > kSteep) ++sides;
+    const Polyline line = map.Points(h);
+    if (joint.contains(map.Origin(h)) && DepartureDirection(line, reach).y() < -kSteep) ++sides;
+    if (joint.contains(map.Target(h)) && ArrivalDirection(line, reach).y() > kSteep) ++sides;
   }
   return sides == 2;
 }
@@ -95,8 +100,8 @@ bool IsHoof(const PlanarMap& map, int cycle, double animal) {
     (IsOutside(map, h) ? free : joint).Add(map.edges[static_cast<std::size_t>(h / 2)].points);
   const double lowest = page.bottom - kFeet * (page.bottom - page.top);
   const double length = free.bottom - joint.bottom, width = beside.begin()->second;
-  return free.top >= joint.top && length > 0 && length < width && joint.top > lowest &&
-         EndsALeg(map, cycle, beside.begin()->first);
+  return free.top >= joint.top - kUneven * length && length > 0 && length < width &&
+         joint.top > lowest && EndsALeg(map, cycle, beside.begin()->first, width);
 }
 
 /// The smallest cell that is to be merged and has a neighbour.
