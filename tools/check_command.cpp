@@ -99,12 +99,13 @@ std::string CheckText(const Checked& checked) {
                     print.wall->middle.x(), print.wall->middle.y(), print.wall->middle.z(),
                     print.wall_part.empty() ? "" : ", ", print.wall_part));
   if (print.stability)
-    row("stands", fmt::format("{}, centre of mass {:.3g} mm {}", yes(print.stability->Stands()),
-                              std::abs(print.stability->margin),
-                              print.stability->Stands()
-                                  ? "within the feet's outline"
-                                  : fmt::format("outside of it: it rolls by {:.0f} degrees",
-                                                print.stability->tilt)));
+    row("stands",
+        fmt::format("{}, centre of mass {:.3g} mm {}", yes(print.stability->Stands()),
+                    std::abs(print.stability->margin),
+                    print.stability->Stands()
+                        ? "within the feet's outline"
+                        : fmt::format("outside of the feet's outline: it rolls by {:.0f} degrees",
+                                      print.stability->tilt)));
   return text;
 }
 

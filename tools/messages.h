@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "lascaux/base/diagnostic.h"
 
@@ -18,7 +19,18 @@ enum class Verbosity : std::uint8_t { kAll, kQuiet };
 /// that one message is one line.
 std::string MessageLine(std::string_view file, const Diagnostic& diagnostic);
 
-/// Writes the lines of all diagnostics to `stream`.
+/// A diagnostic in a list that people read.
+struct Listed {
+  std::size_t number = 0;  ///< its place among all, from 1
+  Diagnostic diagnostic;
+};
+
+/// So many notes or warnings of one code are listed; where there are more, the last one says how
+/// many it stands for. Errors are always listed.
+inline constexpr std::size_t kMostAlike = 4;
+std::vector<Listed> ListBriefly(const Diagnostics& diagnostics);
+
+/// Writes the lines of ListBriefly to `stream`.
 void PrintMessages(std::FILE* stream, std::string_view file, const Diagnostics& diagnostics,
                    Verbosity verbosity);
 

@@ -11,7 +11,6 @@ namespace lascaux {
 namespace {
 
 constexpr double kMargin = 5;        // units around everything
-constexpr double kLegendWidth = 46;  // units
 constexpr double kPixelsAUnit = 12;  // of the picture's own width and height
 
 std::string Header(const PictureStyle& style, const Eigen::AlignedBox2d& page) {
@@ -41,8 +40,7 @@ std::string ParsePictureText(const Model& model) {
   const Legend legend = LegendLayer(model, style, left);
 
   Eigen::AlignedBox2d page = style.box;
-  page.extend(
-      Eigen::Vector2d(left + kLegendWidth * style.unit, style.box.min().y() + legend.height));
+  page.extend(legend.end);
   page.min().array() -= margin;
   page.max().array() += margin;
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <string>
 
 #include "model.h"
@@ -25,11 +26,11 @@ std::string StrokeNumbersLayer(const Model& model, const PictureStyle& style);
 std::string FidelityLayer(const Model& model, const PictureStyle& style);
 std::string DiagnosticsLayer(const Model& model, const PictureStyle& style);
 
-/// A table of parts and diagnostics beside the drawing, its left edge at `left`. `height` of the
-/// drawing and the table's own decide the picture's.
+/// A table of parts and diagnostics beside the drawing, its left edge at `left`; `end` is its lower
+/// right corner.
 struct Legend {
   std::string text;
-  double height = 0;
+  Eigen::Vector2d end = Eigen::Vector2d::Zero();
 };
 Legend LegendLayer(const Model& model, const PictureStyle& style, double left);
 

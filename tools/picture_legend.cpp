@@ -1,17 +1,23 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "lascaux/io/xml_text.h"
+#include "messages.h"
 #include "picture_layers.h"
 
 namespace lascaux {
 namespace {
 
-constexpr double kRow = 2.6;              // units from line to line
-constexpr double kFont = 1.6;             // units
-constexpr std::size_t kLineLetters = 52;  // as many as fit the legend's width
+constexpr double kRow = 2.6;          // units from line to line
+constexpr double kFont = 1.6;         // units
+constexpr double kLegendColumn = 46;  // units
+constexpr double kFewestRows = 16;    // in a column, however low the drawing is
+constexpr std::size_t kFewestBelowHeading = 8;
+constexpr std::size_t kLineLetters = 52;  // as many as fit a column
 
 /// The text cut into lines at blanks.
 std::vector<std::string> Wrap(const std::string& text) {
@@ -36,15 +42,28 @@ std::vector<std::string> Wrap(const std::string& text) {
   return lines;
 }
 
-/// Rows from top to bottom.
+/// Rows from top to bottom; where they reach the drawing's lower end, on in the next column.
 class Table {
  public:
   Table(const PictureStyle& style, double left)
-      : style_(style), left_(left), y_(style.box.min().y()) {}
+      : style_(style),
+        left_(left),
+        y_(style.box.min().y()),
+        end_(std::max(style.box.max().y(), y_ + kFewestRows * kRow * style.unit)) {}
 
   void Heading(const std::string& text) {
+    KeepTogether(kFewestBelowHeading);
     Step(0.6);
     Row(text, 0, " font-weight=\"bold\"");
+  }
+
+  /// Begins a column where so many rows more would not fit.
+  void KeepTogether(std::size_t rows) {
+    if (y_ + static_cast<double>(rows) * kRow * style_.unit <= end_) return;
+    if (y_ == style_.box.min().y()) return;
+    lowest_ = std::max(lowest_, y_);
+    left_ += kLegendColumn * style_.unit;
+    y_ = style_.box.min().y();
   }
 
   void Row(const std::string& text, double indent, const std::string& attributes = "") {
@@ -69,14 +88,15 @@ class Table {
     const std::string group = fmt::format(
         "<g id=\"legend\" font-family=\"sans-serif\" font-size=\"{}\" fill=\"#22252b\">\n",
         style_.numbers(kFont * style_.unit));
-    return {group + text_ + "</g>\n", y_ - style_.box.min().y()};
+    return {group + text_ + "</g>\n", {left_ + kLegendColumn * style_.unit, std::max(lowest_, y_)}};
   }
 
  private:
   void Step(double rows) { y_ += rows * kRow * style_.unit; }
 
   const PictureStyle& style_;
-  double left_, y_;
+  double left_, y_, end_;
+  double lowest_ = -std::numeric_limits<double>::infinity();
   std::string text_;
 };
 
@@ -95,15 +115,17 @@ Legend LegendLayer(const Model& model, const PictureStyle& style, double left) {
   if (model.graph) {
     table.Heading("Parts");
     for (std::size_t i = 0; i < model.graph->nodes.size(); ++i) {
+      table.KeepTogether(1);
       table.Row(PartRow(*model.graph, i), 3.2);
       table.Swatch(style.colors[i], model.graph->nodes[i].role == PartRole::kBackground);
     }
   }
   if (!model.diagnostics.empty()) table.Heading("Findings");
-  for (std::size_t i = 0; i < model.diagnostics.size(); ++i) {
-    const Diagnostic& d = model.diagnostics[i];
-    table.Row(fmt::format("{}  {}: {}", i + 1, Name(d.severity), d.code), 0);
-    for (const std::string& line : Wrap(d.message)) table.Row(line, 2, " fill=\"#555b66\"");
+  for (const auto& [number, d] : ListBriefly(model.diagnostics)) {
+    const std::vector<std::string> lines = Wrap(d.message);
+    table.KeepTogether(1 + lines.size());
+    table.Row(fmt::format("{}  {}: {}", number, Name(d.severity), d.code), 0);
+    for (const std::string& line : lines) table.Row(line, 2, " fill=\"#555b66\"");
   }
   return table.Finish();
 }

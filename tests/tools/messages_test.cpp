@@ -34,5 +34,19 @@ TEST(Messages, QuietSilencesNotesAlone) {
   EXPECT_EQ(Printed({Note("a", "A.")}, Verbosity::kAll), "cat.svg: note: a: A.\n");
 }
 
+TEST(Messages, ManyOfOneKindAreCountedAndErrorsAreNot) {
+  Diagnostics all = {Warning("a", "A.")};
+  for (int i = 0; i < 7; ++i) all.push_back(At(OnStroke(Note("b", "B."), i), {0, 0}));
+  for (int i = 0; i < 7; ++i) all.push_back(Error(FailureKind::kInput, "c", "C."));
+  all.push_back(Warning("a", "A."));
+  const std::vector<Listed> list = ListBriefly(all);
+  ASSERT_EQ(list.size(), 1 + kMostAlike + 7 + 1);
+  EXPECT_EQ(list[kMostAlike - 1].diagnostic, all[kMostAlike - 1]);
+  EXPECT_EQ(list[kMostAlike].number, kMostAlike + 1);
+  EXPECT_EQ(list[kMostAlike].diagnostic.message.substr(0, 6), "4 more");
+  EXPECT_FALSE(list[kMostAlike].diagnostic.stroke);
+  EXPECT_EQ(list.back().number, all.size());
+}
+
 }  // namespace
 }  // namespace lascaux
