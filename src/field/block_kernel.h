@@ -12,6 +12,15 @@ namespace lascaux::internal {
 /// set-up of a primitive is shared by many. A multiple of every vector's width.
 inline constexpr int kTile = 64;
 
+/// A tile that is not full is filled up to a multiple of this: the widest vector.
+inline constexpr int kGroup = 16;
+
+/// Points of a block's lattice along each axis, and those of them that it is interpolated from:
+/// kTile in all three. Near Chebyshev's for polynomials of degree 3.
+inline constexpr int kLatticeSide = 8;
+inline constexpr int kLatticePoints = kLatticeSide * kLatticeSide * kLatticeSide;
+inline constexpr int kLatticeNodes[4] = {0, 2, 5, 7};
+
 /// Primitives whose bounds are computed together.
 inline constexpr int kBoundTile = 16;
 
@@ -98,14 +107,35 @@ struct KernelProgram {
   KernelTable gain;
 };
 
-/// kTile values and gradients, aligned to 64 bytes.
+/// Up to kTile values and gradients, aligned to 64 bytes.
 struct alignas(64) KernelSamples {
   float value[kTile], x[kTile], y[kTile], z[kTile];
+  int count;
 };
 
-/// kTile points as offsets from the origin.
+/// Up to kTile points as offsets from the origin, a multiple of kGroup.
 struct alignas(64) KernelPoints {
   float x[kTile], y[kTile], z[kTile];
+  int count;
+};
+
+/// Points of a lattice that are not interpolated from its nodes alone: so many off the nodes along
+/// x, then y, then z, then along all three.
+inline constexpr int kChecksAWay = 8;
+inline constexpr int kLatticeChecks = 4 * kChecksAWay;
+
+/// A block's lattice, z fastest.
+struct KernelLattice {
+  KernelPoints nodes, checks;
+  int check_at[kLatticeChecks];  ///< which of the lattice's points
+  KernelPoints layer;            ///< the points whose x is `low`
+  float low, step;               ///< along each axis: low + step * k
+};
+
+/// Values on a lattice, layer by layer along x, with what they may be off by.
+struct KernelLatticeValues {
+  KernelSamples layer[kLatticeSide];
+  float error;
 };
 
 /// kBoundTile segments seen from the centre of a ball each, lengths in units of their larger radii.
@@ -123,16 +153,19 @@ struct alignas(64) KernelBounds {
 
 /// One build of the vector code.
 struct BlockKernel {
-  /// F at kTile points, gradients left alone. `slots` is memory for one set of samples a depth and
-  /// one more.
+  /// F at a tile's points, gradients left alone. `slots` is memory for one set of samples a depth
+  /// and one more.
   void (*values)(const KernelProgram&, const KernelPoints&, KernelSamples* slots,
                  KernelSamples* result);
   /// F and its gradient.
   void (*samples)(const KernelProgram&, const KernelPoints&, KernelSamples* slots,
                   KernelSamples* result);
+  /// F on a lattice: each chain's field interpolated, the rest as it is. `slots` as for values.
+  void (*lattice)(const KernelProgram&, const KernelLattice&, KernelLatticeValues* slots,
+                  KernelLatticeValues* result);
   /// Bounds of each segment's field on its ball.
   void (*bounds)(const KernelBalls&, KernelBounds* bounds);
-  /// Signed distances of `count` samples, at most kTile, clamped to [-limit, limit].
+  /// Signed distances of a tile's samples, clamped to [-limit, limit].
   void (*distances)(const KernelSamples&, float limit, float* distances);
   /// Least and greatest coefficient of each spline of a table in a rectangle.
   void (*extent)(const KernelTable&, const KernelRectangle&, float* low, float* high);

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "compiled_data.h"
@@ -23,6 +25,10 @@ class Program {
 
   const internal::KernelProgram& kernel_program() const { return program_; }
 
+  /// Least radius of what reaches the ball of radius `reach` around the origin, about, in the
+  /// direction in which its part is thinnest.
+  float ThinnestWithin(float reach) const;
+
  private:
   void BeginPart(const CompiledField::Data& data, std::uint32_t part,
                  const Eigen::Vector3d& origin);
@@ -34,6 +40,7 @@ class Program {
   std::vector<KernelPart> parts_;
   std::vector<std::uint32_t> part_at_depth_;
   std::vector<internal::KernelMap> maps_;
+  std::vector<float> steepness_;                           ///< of each part at the origin
   Eigen::Vector3d flat_origin_ = Eigen::Vector3d::Zero();  ///< of the part that was begun last
   internal::KernelProgram program_{};
 };
@@ -47,17 +54,22 @@ internal::KernelExponent ForKernel(const internal::RicciExponent& exponent) {
 void Program::BeginPart(const CompiledField::Data& data, std::uint32_t part,
                         const Eigen::Vector3d& origin) {
   const CompiledPart& here = data.parts[part];
-  flat_origin_ = internal::Flatten(here, origin);
   const auto chains = static_cast<std::uint32_t>(chains_.size());
   const bool has_parent =
       here.depth > 0 && part_at_depth_[here.depth - 1] == static_cast<std::uint32_t>(here.parent);
   const int map = here.map ? static_cast<int>(maps_.size()) : -1;
+  double steepness = here.inv_depth_scale, above = origin.z() - here.z0;
   if (here.map) {
+    const DepthSample depth = EvaluateDepth(*here.map, origin.head<2>());
     internal::KernelTable table = here.table->From(origin.head<2>());
-    table.shift = static_cast<float>(EvaluateDepth(*here.map, origin.head<2>()).middle);
+    table.shift = static_cast<float>(depth.middle);
+    steepness = depth.steepness;
+    above = origin.z() - depth.middle;
     maps_.push_back({table, static_cast<float>(origin.z() - static_cast<double>(table.shift)),
-                     static_cast<float>(flat_origin_.z() - here.z0)});
+                     static_cast<float>(above * steepness)});
   }
+  flat_origin_ = {origin.x(), origin.y(), here.z0 + above * steepness};
+  steepness_.push_back(static_cast<float>(steepness));
   parts_.push_back(
       {chains, chains, here.depth, has_parent, static_cast<float>(here.inv_depth_scale), map});
   part_at_depth_[here.depth] = part;
@@ -118,18 +130,56 @@ Program::Program(const CompiledField::Data& data, const Eigen::Vector3d& origin,
               data.gain ? data.gain->From(origin.head<2>()) : internal::KernelTable{}};
 }
 
-/// The points from `begin` on; a last tile is filled up with its last point, so that every point
-/// goes through the same code.
+/// Least radius of the part of a segment whose kernel reaches the ball around the origin, in larger
+/// radii; infinite where none does. `reach` is the ball's radius in these.
+float ThinnestOf(const KernelSegment& s, float reach) {
+  const float x = s.x * s.ux + s.y * s.uy + s.z * s.uz;
+  const float squared = s.x * s.x + s.y * s.y + s.z * s.z;
+  const float length = s.y_end / (1 - s.slope * s.y_end);
+  // Places p along the axis with |p - origin| <= 2 (1 + g p) + reach: the last of them.
+  const float far = 2 + reach;
+  const float a = 1 - 4 * s.slope * s.slope, b = x + 2 * s.slope * far, c = squared - far * far;
+  constexpr float kLeast = 0.05F;  // of a: cones that are nearly as wide as long are taken whole
+  if (a < kLeast) return 1 + s.slope * length;
+  const float root = b * b - a * c;
+  if (root < 0) return std::numeric_limits<float>::infinity();
+  return 1 + s.slope * std::clamp((b + std::sqrt(root)) / a, 0.0F, length);
+}
+
+float Program::ThinnestWithin(float reach) const {
+  float thinnest = std::numeric_limits<float>::infinity();
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    const float steep = std::max(1.0F, steepness_[p]);
+    for (std::uint32_t c = parts_[p].chains_begin; c < parts_[p].chains_end; ++c) {
+      for (std::uint32_t i = chains_[c].segments_begin; i < chains_[c].segments_end; ++i) {
+        const float inv_radius = segments_[i].inv_tau;
+        thinnest = std::min(
+            thinnest, ThinnestOf(segments_[i], steep * reach * inv_radius) / (steep * inv_radius));
+      }
+      for (std::uint32_t i = chains_[c].points_begin; i < chains_[c].points_end; ++i)
+        thinnest = std::min(thinnest, 1 / (steep * points_[i].inv_radius));
+    }
+  }
+  return thinnest;
+}
+
+/// Numbers of a tile, filled up with the last one to a multiple of the widest vector, so that every
+/// number goes through the same code. Returns how many that are.
+int LoadColumn(std::span<const float> from, float* to) {
+  const auto count = static_cast<int>(from.size());
+  const int filled = (count + internal::kGroup - 1) / internal::kGroup * internal::kGroup;
+  std::copy_n(from.data(), count, to);
+  std::fill(to + count, to + filled, to[count - 1]);
+  return filled;
+}
+
+/// The points from `begin` on, as many as fit; returns how many.
 int LoadTile(const PointBlock& block, std::size_t begin, internal::KernelPoints& tile) {
-  const auto count = static_cast<int>(std::min<std::size_t>(kTile, block.x.size() - begin));
-  const auto load = [&](std::span<const float> from, float* to) {
-    std::copy_n(from.data() + begin, count, to);
-    std::fill(to + count, to + kTile, to[count - 1]);
-  };
-  load(block.x, tile.x);
-  load(block.y, tile.y);
-  load(block.z, tile.z);
-  return count;
+  const std::size_t count = std::min<std::size_t>(kTile, block.x.size() - begin);
+  LoadColumn(block.x.subspan(begin, count), tile.x);
+  LoadColumn(block.y.subspan(begin, count), tile.y);
+  tile.count = LoadColumn(block.z.subspan(begin, count), tile.z);
+  return static_cast<int>(count);
 }
 
 /// Runs `kernel` over all tiles and hands each result with its place to `store`.
@@ -149,6 +199,149 @@ void ForTiles(const CompiledField::Data& data, const PointBlock& points, const P
     kernel(program.kernel_program(), tile, slots, &result);
     store(result, begin, count);
   }
+}
+
+// In steps. What is thinner may lie unseen between a lattice's nodes.
+constexpr float kThinnest = 2;
+
+/// What interpolation is taken to be off by at least, for the thinnest radius in steps. A
+/// cylinder's field has a fourth derivative of 18 / radius^4 along its axis, and that is what
+/// interpolation is off by on one axis; 3 / radius^4 was found where a block's edge touches thin
+/// things and no check is near.
+float LeastErrorFor(float thinnest) {
+  constexpr float kShare = 10;
+  const float squared = thinnest * thinnest;
+  return kShare / (squared * squared);
+}
+
+// From its centre to its corners, in steps.
+constexpr float kLatticeReach = 3.5F * 1.7320508F;
+
+constexpr auto kIso = static_cast<float>(kIsoValue);
+
+/// Places of a lattice's points along each axis, from its centre.
+using Offsets = std::array<float, internal::kLatticeSide>;
+
+Offsets OffsetsOf(double step) {
+  Offsets offsets;
+  for (std::size_t k = 0; k < offsets.size(); ++k)
+    offsets[k] = static_cast<float>(step * (static_cast<double>(k) - 0.5 * (offsets.size() - 1)));
+  return offsets;
+}
+
+/// Points of a lattice by their numbers, 64 x + 8 y + z.
+struct LatticePoints {
+  std::array<std::uint16_t, internal::kLatticePoints> which;
+  std::size_t count = 0;
+  std::array<float, internal::kLatticePoints> x, y, z;
+
+  void Add(std::size_t at) { which[count++] = static_cast<std::uint16_t>(at); }
+  void AddAll() {
+    for (std::size_t i = 0; i < which.size(); ++i) Add(i);
+  }
+  void Place(const Offsets& offsets) {
+    for (std::size_t i = 0; i < count; ++i) {
+      x[i] = offsets[which[i] / 64U];
+      y[i] = offsets[which[i] / 8U % 8];
+      z[i] = offsets[which[i] % 8U];
+    }
+  }
+  PointBlock At(const Eigen::Vector3d& origin) const {
+    return {origin, std::span(x).first(count), std::span(y).first(count),
+            std::span(z).first(count)};
+  }
+};
+
+/// The numbers of a lattice's nodes, and of the points that show how well those tell the rest.
+struct LatticeChoice {
+  std::array<std::uint16_t, kTile> nodes{};
+  std::array<std::uint16_t, internal::kLatticeChecks> checks{};
+};
+
+constexpr LatticeChoice ChooseLattice() {
+  constexpr auto number = [](const std::array<int, 3>& at) {
+    return static_cast<std::uint16_t>(64 * at[0] + 8 * at[1] + at[2]);
+  };
+  constexpr auto& kNodes = internal::kLatticeNodes;
+  constexpr std::array<int, 4> kOff = {1, 3, 4, 6};  // an axis's other points
+  LatticeChoice choice;
+  std::size_t next = 0, check = 0;
+  for (const int x : kNodes)
+    for (const int y : kNodes)
+      for (const int z : kNodes) choice.nodes[next++] = number({x, y, z});
+  // Every other line of nodes along each axis, at each place off the nodes as often.
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t u = 0; u < 4; ++u) {
+      for (std::size_t w = u % 2; w < 4; w += 2) {
+        std::array<int, 3> at{};
+        at[axis] = kOff[(u + w / 2 * 2) % 4];
+        at[(axis + 1) % 3] = kNodes[u];
+        at[(axis + 2) % 3] = kNodes[w];
+        choice.checks[check++] = number(at);
+      }
+    }
+  }
+  for (std::size_t corner = 0; corner < internal::kChecksAWay; ++corner) {
+    const auto side = [corner](std::size_t axis) { return 1 + (corner >> axis & 1); };
+    choice.checks[check++] = number({kOff[side(0)], kOff[side(1)], kOff[side(2)]});
+  }
+  return choice;
+}
+
+void PlaceTile(std::span<const std::uint16_t> which, const Offsets& offsets,
+               internal::KernelPoints& tile) {
+  for (std::size_t i = 0; i < which.size(); ++i) {
+    tile.x[i] = offsets[which[i] / 64U];
+    tile.y[i] = offsets[which[i] / 8U % 8];
+    tile.z[i] = offsets[which[i] % 8U];
+  }
+  tile.count = static_cast<int>(which.size());
+}
+
+internal::KernelLattice LatticeFor(const Offsets& offsets) {
+  static constexpr LatticeChoice kChoice = ChooseLattice();
+  static constexpr auto kLayer = [] {
+    std::array<std::uint16_t, kTile> layer{};
+    for (std::size_t i = 0; i < layer.size(); ++i) layer[i] = static_cast<std::uint16_t>(i);
+    return layer;
+  }();
+  internal::KernelLattice lattice;
+  PlaceTile(kChoice.nodes, offsets, lattice.nodes);
+  PlaceTile(kChoice.checks, offsets, lattice.checks);
+  PlaceTile(kLayer, offsets, lattice.layer);
+  std::copy(kChoice.checks.begin(), kChoice.checks.end(), lattice.check_at);
+  lattice.low = offsets[0];
+  lattice.step = offsets[1] - offsets[0];
+  return lattice;
+}
+
+struct Interpolation {
+  const Offsets& offsets;
+  float least_error;
+};
+
+/// Which points of a lattice are inside; puts those that are too near to tell into `unsure`.
+LatticeBits Interpolate(const CompiledField::Data& data, const Program& program,
+                        const Interpolation& how, LatticePoints& unsure) {
+  constexpr std::uint32_t kSlotsInPlace = 4;
+  std::array<internal::KernelLatticeValues, kSlotsInPlace> in_place;
+  std::vector<internal::KernelLatticeValues> on_heap(data.depths > kSlotsInPlace ? data.depths : 0);
+  internal::KernelLatticeValues result;
+  data.kernel->lattice(program.kernel_program(), LatticeFor(how.offsets),
+                       on_heap.empty() ? in_place.data() : on_heap.data(), &result);
+  const float error = std::max(result.error, how.least_error);
+  LatticeBits inside{};
+  for (std::size_t x = 0; x < inside.size(); ++x) {
+    std::uint64_t near = 0;
+    for (std::size_t i = 0; i < kTile; ++i) {
+      const float above = result.layer[x].value[i] - kIso;
+      inside[x] |= std::uint64_t{above > error} << i;
+      near |= std::uint64_t{std::abs(above) <= error} << i;
+    }
+    for (; near != 0; near &= near - 1)
+      unsure.Add(kTile * x + static_cast<std::size_t>(std::countr_zero(near)));
+  }
+  return inside;
 }
 
 }  // namespace
@@ -176,20 +369,40 @@ void CompiledField::EvaluateSamples(const PointBlock& points, const ActiveSet& a
            });
 }
 
+LatticeBits CompiledField::FindInside(const LatticeBlock& lattice, const ActiveSet& active) const {
+  const Program program(*data_, lattice.center, active);
+  const Offsets offsets = OffsetsOf(lattice.step);
+  LatticePoints points;
+  LatticeBits inside{};
+  const auto step = static_cast<float>(lattice.step);
+  const float thinnest = program.ThinnestWithin(kLatticeReach * step) / step;
+  if (thinnest < kThinnest) {
+    points.AddAll();
+  } else {
+    inside = Interpolate(*data_, program, {offsets, LeastErrorFor(thinnest)}, points);
+  }
+  points.Place(offsets);
+  const std::span chosen(points.which.data(), points.count);
+  ForTiles(*data_, points.At(lattice.center), program, data_->kernel->values,
+           [&](const KernelSamples& result, std::size_t begin, int count) {
+             for (int i = 0; i < count; ++i) {
+               const std::uint16_t at = chosen[begin + static_cast<std::size_t>(i)];
+               inside[at / kTile] |= std::uint64_t{result.value[i] > kIso} << at % kTile;
+             }
+           });
+  return inside;
+}
+
 void SignedDistances(const SampleBlock& samples, float limit, std::span<float> distances, Isa isa) {
   const internal::BlockKernel& kernel = internal::KernelFor(isa);
   KernelSamples tile;
   std::array<float, kTile> result;
   for (std::size_t begin = 0; begin < distances.size(); begin += kTile) {
-    const auto count = static_cast<int>(std::min<std::size_t>(kTile, distances.size() - begin));
-    const auto load = [&](std::span<float> from, float* to) {
-      std::copy_n(from.data() + begin, count, to);
-      std::fill(to + count, to + kTile, to[count - 1]);
-    };
-    load(samples.value, tile.value);
-    load(samples.gradient_x, tile.x);
-    load(samples.gradient_y, tile.y);
-    load(samples.gradient_z, tile.z);
+    const std::size_t count = std::min<std::size_t>(kTile, distances.size() - begin);
+    LoadColumn(samples.value.subspan(begin, count), tile.value);
+    LoadColumn(samples.gradient_x.subspan(begin, count), tile.x);
+    LoadColumn(samples.gradient_y.subspan(begin, count), tile.y);
+    tile.count = LoadColumn(samples.gradient_z.subspan(begin, count), tile.z);
     kernel.distances(tile, limit, result.data());
     std::copy_n(result.data(), count, distances.data() + begin);
   }

@@ -82,19 +82,12 @@ class CrossingMeter {
   BlockOffsets offsets_;
 };
 
-VoxelMask InsideOf(const BandSource& source, const Block& block, const BlockOffsets& offsets) {
+VoxelMask InsideOf(const BandSource& source, const Block& block) {
+  if (!block.inside)
+    return source.field.FindInside({BlockCenter(block, source.voxel_size), source.voxel_size},
+                                   block.active);
   VoxelMask inside{};
-  if (block.inside) {
-    if (*block.inside) inside.fill(~std::uint64_t{0});
-    return inside;
-  }
-  std::array<float, kBlockVoxels> values;
-  source.field.EvaluateValues(
-      {BlockCenter(block, source.voxel_size), offsets.x, offsets.y, offsets.z}, block.active,
-      values);
-  for (std::size_t i = 0; i < kBlockVoxels; ++i)
-    inside[i / 64] |= static_cast<std::uint64_t>(values[i] > static_cast<float>(kIsoValue))
-                      << i % 64;
+  if (*block.inside) inside.fill(~std::uint64_t{0});
   return inside;
 }
 
@@ -106,9 +99,8 @@ Band FindInside(const BandSource& source, const Execution& execution) {
   band.origins.reserve(blocks.size());
   for (const Block& block : blocks) band.origins.push_back(block.origin);
   band.inside.resize(blocks.size());
-  const BlockOffsets offsets(source.voxel_size);
   tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
-    if (!execution.IsCancelled()) band.inside[b] = InsideOf(source, blocks[b], offsets);
+    if (!execution.IsCancelled()) band.inside[b] = InsideOf(source, blocks[b]);
   });
   return band;
 }

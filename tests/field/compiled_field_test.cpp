@@ -140,6 +140,45 @@ TEST(CompiledField, BlendsWithEveryExponent) {
   });
 }
 
+/// Somewhere on the surface.
+Eigen::Vector3d OnSurface(Random& random, const Field& field, const Eigen::AlignedBox3d& box) {
+  Eigen::Vector3d inside = random.InBox(box), outside = box.max();
+  for (int i = 0; i < 1000 && !(Evaluate(field, inside).value > 1); ++i) inside = random.InBox(box);
+  for (int i = 0; i < 20; ++i) {
+    const Eigen::Vector3d middle = (inside + outside) / 2;
+    (Evaluate(field, middle).value > 1 ? inside : outside) = middle;
+  }
+  return inside;
+}
+
+TEST(CompiledField, InterpolatedLatticesHaveTheSignsOfValues) {
+  const auto isas = SupportedIsas();
+  ForSeeds(300, [&](Random& random) {
+    const Field field = RandomCreature(random);
+    const CompiledField compiled(field, isas[random.Integer(0, static_cast<int>(isas.size()) - 1)]);
+    const double thinnest = compiled.ThinnestRadius(compiled.All());
+    for (int k = 0; k < 8; ++k) {
+      const double step = random.LogUniform(0.03, 1) * thinnest;
+      const LatticeBlock lattice{OnSurface(random, field, compiled.bounds()), step};
+      std::array<float, 512> x, y, z, values;
+      const auto offset = [step](std::size_t i) {
+        return static_cast<float>(step * (static_cast<double>(i) - 3.5));
+      };
+      for (std::size_t i = 0; i < x.size(); ++i) {
+        x[i] = offset(i / 64);
+        y[i] = offset(i / 8 % 8);
+        z[i] = offset(i % 8);
+      }
+      compiled.EvaluateValues({lattice.center, x, y, z}, compiled.All(), values);
+      const LatticeBits inside = compiled.FindInside(lattice, compiled.All());
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        ASSERT_EQ(inside[i / 64] >> i % 64 & 1, values[i] > 1 ? 1 : 0)
+            << i << ": " << values[i] << ", thinnest " << thinnest / step << " steps";
+      }
+    }
+  });
+}
+
 TEST(CompiledField, PointsAreIndependentOfTheirBlock) {
   ForSeeds(30, [](Random& random) {
     const CompiledField compiled(RandomCreature(random));

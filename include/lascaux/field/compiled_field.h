@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -79,6 +80,15 @@ struct SampleBlock {
   std::span<float> value, gradient_x, gradient_y, gradient_z;
 };
 
+/// 8 x 8 x 8 points around a centre: center + step * (k - 3.5) along each axis, k = 0 to 7.
+struct LatticeBlock {
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  double step = 0;
+};
+
+/// One bit a point: number 8 y + z of word x.
+using LatticeBits = std::array<std::uint64_t, 8>;
+
 /// |F in single precision - F in double precision| for F up to 4, at points within 64 radii of
 /// their block's origin, except within 2e-4 radii of a tip of radius zero. Above 4 the bound is
 /// relative: times F / 4.
@@ -119,6 +129,14 @@ class CompiledField {
   /// F at each point. `values` has as many elements as there are points.
   void EvaluateValues(const PointBlock& points, const ActiveSet& active,
                       std::span<float> values) const;
+
+  /// Which points of a lattice have F > 1, as EvaluateValues() tells them.
+  ///
+  /// Where no primitive is thinner than two steps, most of it is interpolated: each chain's field
+  /// by cubic polynomials from 64 points, while blends and gain are evaluated at each point. How
+  /// much that is off by is seen at 32 points more, and whatever is not further from 1 than twice
+  /// that is evaluated. Three to four times as fast as EvaluateValues() at all points.
+  LatticeBits FindInside(const LatticeBlock& lattice, const ActiveSet& active) const;
 
   /// F and its gradient at each point.
   void EvaluateSamples(const PointBlock& points, const ActiveSet& active,
