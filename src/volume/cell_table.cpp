@@ -3,8 +3,6 @@
 namespace lascaux {
 namespace {
 
-using Table = std::array<CellPieces, 256>;
-
 /// A corner of a face, going round it; `axis` is across the face.
 constexpr std::array<std::array<int, 2>, 4> kRound = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
 
@@ -86,8 +84,8 @@ constexpr CellPieces Divide(int signs, bool apart) {
   return pieces;
 }
 
-constexpr Table MakeTable(bool apart) {
-  Table table;
+constexpr CellTable MakeTable(bool apart) {
+  CellTable table;
   for (int signs = 0; signs < 256; ++signs)
     table[static_cast<std::size_t>(signs)] = Divide(signs, apart);
   return table;
@@ -95,14 +93,7 @@ constexpr Table MakeTable(bool apart) {
 
 }  // namespace
 
-const CellPieces& PiecesApart(CellSigns signs) {
-  static const Table table = MakeTable(true);
-  return table[signs];
-}
-
-const CellPieces& PiecesJoined(CellSigns signs) {
-  static const Table table = MakeTable(false);
-  return table[signs];
-}
+constinit const CellTable kPiecesJoined = MakeTable(false);
+constinit const CellTable kPiecesApart = MakeTable(true);
 
 }  // namespace lascaux

@@ -26,12 +26,16 @@ struct CellPieces {
   std::uint8_t twice = kNoFace;
 };
 
+/// For each number of corners' signs.
+using CellTable = std::array<CellPieces, 256>;
+extern const CellTable kPiecesJoined, kPiecesApart;
+
 /// Where inside corners are across from each other on a face, the surface runs around both: thin
 /// parts hold together.
-const CellPieces& PiecesJoined(CellSigns signs);
+inline const CellPieces& PiecesJoined(CellSigns signs) { return kPiecesJoined[signs]; }
 
 /// The opposite: it runs between them. Where two cells with one face `twice` between them take this
 /// one, no edge of the mesh has four faces.
-const CellPieces& PiecesApart(CellSigns signs);
+inline const CellPieces& PiecesApart(CellSigns signs) { return kPiecesApart[signs]; }
 
 }  // namespace lascaux

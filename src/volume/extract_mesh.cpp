@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "volume/arena.h"
-#include "volume/envelope.h"
-#include "volume/finish_band.h"
+#include "volume/cell_vertices.h"
+#include "volume/diagonals.h"
 #include "volume/onto_surface.h"
 #include "volume/shells.h"
 #include "volume/surface_cells.h"
@@ -22,7 +22,7 @@ using Eigen::Vector3f;
 
 // By how much of a voxel a quadrilateral stays within reach of its edge before its vertices are
 // rounded to their places in the model.
-constexpr double kEnvelopeMargin = 1e-3;
+constexpr float kEnvelopeMargin = 1e-3F;
 
 // How near to its cell's sides a vertex is moved, in voxels.
 constexpr float kLeastInCell = 1e-3F;
@@ -41,60 +41,47 @@ bool IsUpperEdgeCrossed(CellSigns signs, int axis) {
   return ((signs >> 7 ^ signs >> (7 ^ 1 << axis)) & 1) != 0;
 }
 
+constexpr std::uint32_t kSeveral = ~std::uint32_t{0};
+
+/// The vertex of each of a block's crossed cells, or kSeveral; of others nothing.
+struct BlockVertices {
+  std::array<std::uint32_t, kBlockVoxels> of;
+
+  BlockVertices(const SurfaceCells& cells, const Numbering& numbering, std::size_t block) {
+    cells.ForCells(block, [&](std::size_t cell, std::size_t number) {
+      const std::uint32_t vertex = numbering.vertex[number];
+      of[cell] = numbering.vertex[number + 1] - vertex == 1 ? vertex : kSeveral;
+    });
+  }
+};
+
 Numbering NumberParts(const SurfaceCells& cells) {
+  const std::size_t blocks = cells.crossed.size();
   Numbering numbering;
   numbering.vertex.resize(cells.signs.size() + 1);
-  numbering.quad.resize(cells.crossed.size() + 1);
-  std::uint32_t vertices = 0, quads = 0;
-  for (std::size_t b = 0; b < cells.crossed.size(); ++b) {
-    numbering.quad[b] = quads;
+  numbering.quad.resize(blocks + 1);
+  std::vector<std::uint32_t> vertices(blocks + 1);
+  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t b) {
+    std::uint32_t vertex = 0, quad = 0;
     for (std::size_t n = cells.first[b]; n < cells.first[b + 1]; ++n) {
-      numbering.vertex[n] = vertices;
-      vertices += cells.Pieces(n).count;
-      for (int axis = 0; axis < 3; ++axis)
-        quads += IsUpperEdgeCrossed(cells.signs[n], axis) ? 1 : 0;
+      numbering.vertex[n] = vertex;
+      vertex += cells.Pieces(n).count;
+      for (int axis = 0; axis < 3; ++axis) quad += IsUpperEdgeCrossed(cells.signs[n], axis) ? 1 : 0;
     }
+    vertices[b + 1] = vertex;
+    numbering.quad[b + 1] = quad;
+  });
+  for (std::size_t b = 0; b < blocks; ++b) {
+    vertices[b + 1] += vertices[b];
+    numbering.quad[b + 1] += numbering.quad[b];
   }
-  numbering.vertex.back() = vertices;
-  numbering.quad.back() = quads;
+  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t b) {
+    for (std::size_t n = cells.first[b]; n < cells.first[b + 1]; ++n)
+      numbering.vertex[n] += vertices[b];
+  });
+  numbering.vertex.back() = vertices.back();
   return numbering;
 }
-
-/// Values at the corners of a block's cells.
-class CornerValues {
- public:
-  CornerValues(const NarrowBand& band, const BlocksAbove& above)
-      : least_(kLeastDistance * static_cast<float>(band.voxel_size)), missing_(band.background) {
-    for (std::size_t side = 0; side < 8; ++side) {
-      values_[side] =
-          above[side] == kNoBlock
-              ? nullptr
-              : band.values.data() + kBlockVoxels * static_cast<std::size_t>(above[side]);
-    }
-  }
-
-  /// Of a cell, no one so close to 0 that vertices could fall on one point.
-  std::array<float, 8> Of(std::size_t cell, CellSigns signs) const {
-    std::array<float, 8> corners;
-    for (std::size_t corner = 0; corner < 8; ++corner) {
-      std::size_t voxel = cell, side = 0;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        if ((corner >> axis & 1) == 0) continue;
-        const bool is_beyond = voxel / kStride[axis] % 8 == 7;
-        voxel = is_beyond ? voxel - 7 * kStride[axis] : voxel + kStride[axis];
-        side |= static_cast<std::size_t>(is_beyond) << axis;
-      }
-      const float* const block = values_[side];
-      const float size = std::max(block == nullptr ? missing_ : std::abs(block[voxel]), least_);
-      corners[corner] = (signs >> corner & 1) != 0 ? -size : size;
-    }
-    return corners;
-  }
-
- private:
-  float least_, missing_;
-  std::array<const float*, 8> values_;
-};
 
 /// Where the vertices go: onto the field's surface, if there is one, in some cells or in all.
 struct Target {
@@ -130,29 +117,13 @@ class Extraction {
 
  private:
   void PlaceVertices(std::size_t block) {
-    const CornerValues values(band_, cells_.above[block]);
+    if (cells_.first[block] == cells_.first[block + 1]) return;
+    const CellVertices vertices(band_, cells_.above[block]);
     cells_.ForCells(block, [&](std::size_t cell, std::size_t number) {
-      const std::array<float, 8> corners = values.Of(cell, cells_.signs[number]);
       const CellPieces& pieces = cells_.Pieces(number);
-      std::array<Vector3f, 4> sum;
-      std::array<float, 4> count{};
-      for (std::size_t p = 0; p < pieces.count; ++p) sum[p].setZero();
-      for (int axis = 0; axis < 3; ++axis) {
-        for (int place = 0; place < 4; ++place) {
-          const int u = place & 1, w = place >> 1;
-          const std::uint8_t piece = pieces.of_edge[CellEdge(axis, u, w)];
-          if (piece == kNotCrossed) continue;
-          const int along_u = (axis + 1) % 3, along_w = (axis + 2) % 3;
-          const auto start = static_cast<std::size_t>(u << along_u | w << along_w);
-          const float a = corners[start], b = corners[start | std::size_t{1} << axis];
-          sum[piece][axis] += a / (a - b);
-          sum[piece][along_u] += static_cast<float>(u);
-          sum[piece][along_w] += static_cast<float>(w);
-          count[piece] += 1;
-        }
-      }
+      const std::array<Vector3f, 4> means = vertices.In(cell, cells_.signs[number], pieces);
       for (std::size_t p = 0; p < pieces.count; ++p)
-        SetVertex(numbering_.vertex[number] + p, block, InBlock(cell), sum[p] / count[p]);
+        SetVertex(numbering_.vertex[number] + p, block, InBlock(cell), means[p]);
     });
   }
 
@@ -188,64 +159,93 @@ class Extraction {
         (band_.origin + band_.voxel_size * (lowest + in_cell.cast<double>())).cast<float>();
   }
 
+  /// Quadrilaterals that wait for their diagonals.
+  struct Waiting {
+    SeenQuads seen;
+    std::array<std::array<std::uint32_t, 4>, SeenQuads::kMost> vertices;
+    std::array<std::uint8_t, SeenQuads::kMost> starts_inside;
+    std::size_t first, count = 0;
+  };
+
   void ConnectVertices(std::size_t block) {
-    std::size_t quad = numbering_.quad[block];
+    if (cells_.first[block] == cells_.first[block + 1]) return;
+    const BlockVertices own(cells_, numbering_, block);
+    Waiting waiting;
+    waiting.first = numbering_.quad[block];
     cells_.ForCells(block, [&](std::size_t cell, std::size_t number) {
-      for (int axis = 0; axis < 3; ++axis) {
-        const CellSigns signs = cells_.signs[number];
-        if (!IsUpperEdgeCrossed(signs, axis)) continue;
-        const bool starts_inside = (signs >> (7 ^ 1 << axis) & 1) != 0;
-        const std::array<std::uint32_t, 4> corners = Corners(block, cell, axis);
-        const bool from_first = CutsFromFirst(corners, axis);
-        AddTriangles(2 * quad++, corners, from_first, starts_inside);
-      }
+      const CellSigns signs = cells_.signs[number];
+      const InBlockCell here{block, cell, own};
+      if (IsUpperEdgeCrossed(signs, 0)) AddQuad<0>(here, signs, waiting);
+      if (IsUpperEdgeCrossed(signs, 1)) AddQuad<1>(here, signs, waiting);
+      if (IsUpperEdgeCrossed(signs, 2)) AddQuad<2>(here, signs, waiting);
     });
+    Cut(waiting);
   }
 
-  /// The vertices around the edge along `axis` that ends in the cell's upper corner: of the cell
-  /// itself, then counter-clockwise seen from where the axis points to.
-  std::array<std::uint32_t, 4> Corners(std::size_t block, std::size_t cell, int axis) const {
-    std::array<std::uint32_t, 4> corners;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const int u = k == 1 || k == 2 ? 1 : 0, w = k >= 2 ? 1 : 0;
-      std::size_t at = cell, side = 0;
-      for (const auto& [step, along] :
-           {std::pair(u, (axis + 1) % 3), std::pair(w, (axis + 2) % 3)}) {
-        if (step == 0) continue;
-        const std::size_t stride = kStride[static_cast<std::size_t>(along)];
-        const bool is_beyond = at / stride % 8 == 7;
-        at = is_beyond ? at - 7 * stride : at + stride;
-        side |= static_cast<std::size_t>(is_beyond) << along;
-      }
-      const auto in = static_cast<std::size_t>(cells_.above[block][side]);
-      const std::size_t number = cells_.Number(in, at);
-      // The edge is the upper one of this cell, and the lower one of those beyond.
-      corners[k] =
-          numbering_.vertex[number] + cells_.Pieces(number).of_edge[CellEdge(axis, 1 - u, 1 - w)];
-    }
-    return corners;
+  /// A cell, with the vertices of its block.
+  struct InBlockCell {
+    std::size_t block, cell;
+    const BlockVertices& own;
+  };
+
+  /// The quadrilateral around the edge along an axis that ends in the cell's upper corner.
+  template <int kAxis>
+  void AddQuad(const InBlockCell& here, CellSigns signs, Waiting& waiting) {
+    const std::size_t i = waiting.count++;
+    waiting.starts_inside[i] = signs >> (7 ^ 1 << kAxis) & 1;
+    // From the cell itself counter-clockwise, seen from where the axis points to.
+    AddCorner<kAxis, 0, 0>(here, 0, waiting);
+    AddCorner<kAxis, 1, 0>(here, 1, waiting);
+    AddCorner<kAxis, 1, 1>(here, 2, waiting);
+    AddCorner<kAxis, 0, 1>(here, 3, waiting);
+    if (waiting.count == SeenQuads::kMost) Cut(waiting);
   }
 
-  /// Is the diagonal from the first corner the better one?
-  bool CutsFromFirst(const std::array<std::uint32_t, 4>& q, int axis) const {
-    const int u = (axis + 1) % 3, w = (axis + 2) % 3;
-    std::array<SeenCorner, 4> seen;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const Eigen::Vector3d at = in_cell_[q[k]].cast<double>();
-      seen[k] = {at[u] - (k == 1 || k == 2 ? 0 : 1), at[w] - (k >= 2 ? 0 : 1), at[axis]};
+  /// Corner `k` of the last quadrilateral, in the cell one step beyond along the next two axes or
+  /// not.
+  template <int kAxis, int kU, int kW>
+  void AddCorner(const InBlockCell& here, std::size_t k, Waiting& waiting) const {
+    const std::size_t i = waiting.count - 1;
+    const std::uint32_t vertex = CornerVertex<kAxis, kU, kW>(here);
+    const float* const at = in_cell_[vertex].data();
+    waiting.vertices[i][k] = vertex;
+    SeenQuads::Corners& seen = waiting.seen.corners[k];
+    seen.x[i] = at[(kAxis + 1) % 3] + (kU - 1);
+    seen.y[i] = at[(kAxis + 2) % 3] + (kW - 1);
+    seen.height[i] = at[kAxis];
+  }
+
+  template <int kAxis, int kU, int kW>
+  std::uint32_t CornerVertex(const InBlockCell& here) const {
+    std::size_t at = here.cell, side = 0;
+    if constexpr (kU == 1) StepUp<(kAxis + 1) % 3>(at, side);
+    if constexpr (kW == 1) StepUp<(kAxis + 2) % 3>(at, side);
+    if (side == 0 && here.own.of[at] != kSeveral) return here.own.of[at];
+    const std::size_t number =
+        cells_.Number(static_cast<std::size_t>(cells_.above[here.block][side]), at);
+    const std::uint32_t vertex = numbering_.vertex[number];
+    if (numbering_.vertex[number + 1] - vertex == 1) return vertex;
+    // The edge is the upper one of its cell, and the lower one of those beyond.
+    return vertex + cells_.Pieces(number).of_edge[CellEdge(kAxis, 1 - kU, 1 - kW)];
+  }
+
+  template <int kAlong>
+  static void StepUp(std::size_t& cell, std::size_t& side) {
+    constexpr std::size_t kStep = kStride[kAlong];
+    const bool is_beyond = cell / kStep % 8 == 7;
+    cell = is_beyond ? cell - 7 * kStep : cell + kStep;
+    side |= static_cast<std::size_t>(is_beyond) << kAlong;
+  }
+
+  /// Cuts what waits into triangles.
+  void Cut(Waiting& waiting) {
+    const auto from_first = CutFromFirst(waiting.seen, waiting.count, kEnvelopeMargin);
+    for (std::size_t i = 0; i < waiting.count; ++i) {
+      AddTriangles(2 * (waiting.first + i), waiting.vertices[i], from_first[i] != 0,
+                   waiting.starts_inside[i] != 0);
     }
-    const auto squared_length = [&](std::size_t a, std::size_t b) {
-      const double x = seen[a].x - seen[b].x, y = seen[a].y - seen[b].y;
-      const double height = seen[a].height - seen[b].height;
-      return x * x + y * y + height * height;
-    };
-    const bool first_is_shorter = squared_length(0, 2) <= squared_length(1, 3);
-    const auto is_good = [&seen](bool from_first) {
-      return from_first ? IsInEnvelope({seen[0], seen[2], seen[1], seen[3]}, kEnvelopeMargin)
-                        : IsInEnvelope({seen[1], seen[3], seen[2], seen[0]}, kEnvelopeMargin);
-    };
-    return is_good(first_is_shorter) || !is_good(!first_is_shorter) ? first_is_shorter
-                                                                    : !first_is_shorter;
+    waiting.first += waiting.count;
+    waiting.count = 0;
   }
 
   void AddTriangles(std::size_t at, std::array<std::uint32_t, 4> q, bool from_first,

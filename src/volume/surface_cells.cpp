@@ -2,6 +2,10 @@
 
 #include <tbb/parallel_for.h>
 
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
 #include <algorithm>
 #include <atomic>
 
@@ -18,14 +22,23 @@ constexpr VoxelMask kAllVoxels = [] {
   return mask;
 }();
 
+/// Bit i is set where values[i] is below 0.
+std::uint64_t BelowZero(const float* values) {
+  std::uint64_t word = 0;
+#if defined(__SSE2__)
+  for (std::size_t i = 0; i < 64; i += 4) {
+    const int four = _mm_movemask_ps(_mm_cmplt_ps(_mm_loadu_ps(values + i), _mm_setzero_ps()));
+    word |= static_cast<std::uint64_t>(four) << i;
+  }
+#else
+  for (std::size_t i = 0; i < 64; ++i) word |= static_cast<std::uint64_t>(values[i] < 0) << i;
+#endif
+  return word;
+}
+
 VoxelMask InsideOf(const float* values) {
   VoxelMask mask{};
-  for (std::size_t x = 0; x < 8; ++x) {
-    std::uint64_t word = 0;
-    for (std::size_t i = 0; i < 64; ++i)
-      word |= static_cast<std::uint64_t>(values[64 * x + i] < 0) << i;
-    mask[x] = word;
-  }
+  for (std::size_t x = 0; x < 8; ++x) mask[x] = BelowZero(values + 64 * x);
   return mask;
 }
 

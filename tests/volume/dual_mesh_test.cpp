@@ -7,6 +7,8 @@
 #include "lascaux/volume/check_mesh.h"
 #include "lascaux/volume/extract_mesh.h"
 #include "volume/cell_table.h"
+#include "volume/diagonals.h"
+#include "volume/envelope.h"
 
 namespace lascaux {
 namespace {
@@ -66,6 +68,49 @@ TEST(CellTable, EveryPieceIsOneRound) {
       EXPECT_EQ(apart.twice, kNoFace) << signs;
     }
   }
+}
+
+TEST(CutFromFirst, TakesTheShorterDiagonalThatStaysInTheEnvelope) {
+  constexpr double kMargin = 1e-3, kRounding = 1e-5;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> uniform(0, 1);
+  int longer = 0;
+  for (int round = 0; round < 200; ++round) {
+    SeenQuads quads;
+    for (std::size_t k = 0; k < 4; ++k) {
+      for (std::size_t i = 0; i < SeenQuads::kMost; ++i) {
+        quads.corners[k].x[i] = uniform(random) - (k == 1 || k == 2 ? 0.0F : 1.0F);
+        quads.corners[k].y[i] = uniform(random) - (k >= 2 ? 0.0F : 1.0F);
+        quads.corners[k].height[i] = uniform(random);
+      }
+    }
+    const auto cuts = CutFromFirst(quads, SeenQuads::kMost, static_cast<float>(kMargin));
+    for (std::size_t i = 0; i < SeenQuads::kMost; ++i) {
+      std::array<SeenCorner, 4> q;
+      for (std::size_t k = 0; k < 4; ++k) {
+        const SeenQuads::Corners& c = quads.corners[k];
+        q[k] = {double{c.x[i]}, double{c.y[i]}, double{c.height[i]}};
+      }
+      const auto is_good = [&q](bool from_first, double margin) {
+        return from_first ? IsInEnvelope({q[0], q[2], q[1], q[3]}, margin)
+                          : IsInEnvelope({q[1], q[3], q[2], q[0]}, margin);
+      };
+      const auto squared_length = [&q](std::size_t a, std::size_t b) {
+        return std::pow(q[a].x - q[b].x, 2) + std::pow(q[a].y - q[b].y, 2) +
+               std::pow(q[a].height - q[b].height, 2);
+      };
+      const double excess = squared_length(0, 2) - squared_length(1, 3);
+      const bool cut = cuts[i] != 0, shorter = excess <= 0;
+      // Where rounding decides, either is right.
+      if (is_good(true, kMargin - kRounding) != is_good(true, kMargin + kRounding)) continue;
+      if (is_good(false, kMargin - kRounding) != is_good(false, kMargin + kRounding)) continue;
+      if (std::abs(excess) < kRounding) continue;
+      const bool takes_shorter = is_good(shorter, kMargin) || !is_good(!shorter, kMargin);
+      ASSERT_EQ(cut == shorter, takes_shorter) << round << ' ' << i;
+      longer += takes_shorter ? 0 : 1;
+    }
+  }
+  EXPECT_GT(longer, 20);
 }
 
 TEST(ExtractMesh, NoiseIsOneSolidThatDoesNotRunThroughItself) {
