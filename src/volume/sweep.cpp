@@ -63,6 +63,9 @@ LASCAUX_INLINE bool IsAnyBelow(Lanes a, Lanes b) {
   return ((below[0] | below[1]) | (below[2] | below[3])) != 0;
 }
 
+/// Lines wait for no smaller changes, in voxels: what the scheme errs by is a hundred times that.
+constexpr float kSettled = 1e-3F;
+
 /// The new values of a line; `fixed` is below kFar where a value is given. Returns whether a value
 /// within the band changed.
 LASCAUX_INLINE bool UpdateLine(const BandView& view, std::size_t at, const float* fixed,
@@ -78,7 +81,7 @@ LASCAUX_INLINE bool UpdateLine(const BandView& view, std::size_t at, const float
   const Lanes solved = Solve(along_x, along_y, along_z);
   const Lanes next = given < kFar ? given : Min(solved, own);
   std::memcpy(out + at, &next, sizeof next);
-  return IsAnyBelow(next < kSweepVoxels ? next : All(kFar), own);
+  return IsAnyBelow(next < kSweepVoxels ? next + kSettled : All(kFar), own);
 }
 
 /// One bit a line of eight along z: bit 8 x + y.
