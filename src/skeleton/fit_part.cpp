@@ -34,6 +34,8 @@ constexpr double kLoosen = 0.3, kLeastHold = 4e-4;
 constexpr double kTrusted = 0.5;
 /// Small and round outlines are sampled by their length.
 constexpr double kLeastSamples = 128;
+/// The result is checked at so many times as many samples as were fitted.
+constexpr int kCheck = 2;
 /// A step that lowers the cost by less than this share is the last one.
 constexpr double kStalled = 1e-4;
 
@@ -189,16 +191,28 @@ VectorXd Solve(const Linearised& at, double damping, double hold, const VectorXd
   return factors.solve(-(at.slope + hold * x));
 }
 
+/// Largest distance of a target from the chains' silhouette.
+double WorstOf(const std::vector<Chain>& chains, const std::vector<Target>& targets) {
+  double worst = 0;
+  PlanarField field(chains);
+  PlanarSample sample;
+  for (const Target& target : targets) {
+    field.Evaluate(target.point, sample);
+    worst = std::max(worst, std::abs(Residual(sample, target)));
+  }
+  return worst;
+}
+
 }  // namespace
 
 std::vector<Chain> FitChains(const std::vector<Chain>& chains, const Outline& outline,
                              const FitOptions& options) {
   const double diagonal = Diagonal(outline.points);
   if (!(diagonal > 0)) return chains;  // nothing is drawn
-  const std::vector<Target> targets = TargetsOn(
-      outline, chains,
-      std::min(options.sample_spacing * diagonal, Perimeter(outline.points) / kLeastSamples),
-      options.completion_weight);
+  const double spacing =
+      std::min(options.sample_spacing * diagonal, Perimeter(outline.points) / kLeastSamples);
+  const std::vector<Target> targets =
+      TargetsOn(outline, chains, spacing, options.completion_weight);
   const Model model(chains);
   const int n = model.unknowns();
   double weights = 0;
@@ -208,6 +222,7 @@ std::vector<Chain> FitChains(const std::vector<Chain>& chains, const Outline& ou
   const double least_hold = kLeastHold * hold;
   VectorXd x = VectorXd::Zero(n), best = x;
   Linearised at = Linearise(model, targets, x);
+  const double first_worst = at.worst;
   double best_worst = at.worst, damping = kFirstDamping;
   for (int step = 0; step < options.max_steps && best_worst > options.target * diagonal; ++step) {
     const VectorXd move = Solve(at, damping, hold, x);
@@ -228,7 +243,12 @@ std::vector<Chain> FitChains(const std::vector<Chain>& chains, const Outline& ou
     if (at.worst < best_worst) best_worst = at.worst, best = x;
     if (before - after < kStalled * before) break;
   }
-  return model.At(best);
+  std::vector<Chain> fitted = model.At(best);
+  const std::vector<Target> check = TargetsOn(outline, chains, spacing / kCheck, 0);
+  const double worst = WorstOf(fitted, check);
+  // Among the samples that are checked are those that were fitted.
+  const bool no_worse = worst <= first_worst || worst <= WorstOf(chains, check);
+  return no_worse ? fitted : chains;
 }
 
 FitError MeasureChains(const std::vector<Chain>& chains, const Outline& outline, double spacing) {

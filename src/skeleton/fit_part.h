@@ -10,7 +10,8 @@
 
 namespace lascaux {
 
-/// The chains fitted to `outline`; those given, when no step makes the largest error smaller.
+/// The chains fitted to `outline`; those given, when no step makes the largest error smaller. That
+/// it is not larger is checked at twice as many samples as are fitted.
 std::vector<Chain> FitChains(const std::vector<Chain>& chains, const Outline& outline,
                              const FitOptions& options);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "lascaux/field/primitives.h"
 #include "skeleton/chains.h"
@@ -115,8 +116,10 @@ PointSample SamplePoint(const Disc& disc, double weight, const Vector2d& point) 
   return {norm * k * k * k, slope * h2, slope * d};
 }
 
-/// Between the chains of a part; MakeField()'s.
-double PowerOfRicci(double ratio) { return ratio * ratio * ratio; }
+/// Ricci's exponent between the chains of a part is MakeField()'s, 4: a value's share in the sum,
+/// and the derivative of the blend by it.
+double ShareOf(double ratio) { return ratio * ratio * ratio * ratio; }
+double SlopeOf(double ratio) { return ratio * ratio * ratio; }
 
 }  // namespace
 
@@ -152,17 +155,32 @@ PlanarField::PlanarField(const std::vector<Chain>& chains) {
       line.reach = std::max(line.reach, (line.positions[Index(i)] - line.center).norm() +
                                             kSupportRadii * line.radii[Index(i)]);
     }
+    for (int i = 0; i + 1 < n; ++i) {
+      const double reach = kSupportRadii * std::max(line.radii[Index(i)], line.radii[Index(i + 1)]);
+      Eigen::AlignedBox2d box(line.positions[Index(i)]);
+      box.extend(line.positions[Index(i + 1)]);
+      box.min().array() -= reach;
+      box.max().array() += reach;
+      line.boxes.push_back(box);
+    }
+    pulls_.resize(std::max(pulls_.size(), line.positions.size()));
     lines_.push_back(std::move(line));
   }
 }
 
 double PlanarField::AddPolyline(const Polyline& line, const Vector2d& point, PlanarSample& sample) {
   const int n = static_cast<int>(line.positions.size());
-  pulls_.assign(static_cast<std::size_t>(n), {});
+  int first = n, last = -1;  // of the vertices that may pull
+  const auto touch = [&](int vertex) {
+    first = std::min(first, vertex);
+    last = std::max(last, vertex);
+  };
   double value = 0;
   const auto add_point = [&](int vertex, double share, double weight) {
     const PointSample s = SamplePoint(
         {line.positions[Index(vertex)], share * line.radii[Index(vertex)]}, weight, point);
+    if (!(s.value > 0)) return;
+    touch(vertex);
     value += s.value;
     pulls_[Index(vertex)].position += s.by_center;
     pulls_[Index(vertex)].radius += share * s.by_radius;
@@ -170,13 +188,10 @@ double PlanarField::AddPolyline(const Polyline& line, const Vector2d& point, Pla
   if (n == 1) add_point(0, 1, 1);
   for (const End& end : line.ends) add_point(end.vertex, kCapRadius, kCapWeight);
   for (int i = 0; i + 1 < n; ++i) {
+    if (!line.boxes[Index(i)].contains(point)) continue;
+    touch(i);
+    touch(i + 1);
     const int a = line.radii[Index(i)] >= line.radii[Index(i + 1)] ? i : i + 1, b = 2 * i + 1 - a;
-    const double reach = kSupportRadii * line.radii[Index(a)];
-    const Vector2d low =
-        line.positions[Index(i)].cwiseMin(line.positions[Index(i + 1)]).array() - reach;
-    const Vector2d high =
-        line.positions[Index(i)].cwiseMax(line.positions[Index(i + 1)]).array() + reach;
-    if ((point.array() < low.array()).any() || (point.array() > high.array()).any()) continue;
     const SegmentSample s = SampleSegment({line.positions[Index(a)], line.radii[Index(a)]},
                                           {line.positions[Index(b)], line.radii[Index(b)]}, point);
     value += s.value;
@@ -186,7 +201,7 @@ double PlanarField::AddPolyline(const Polyline& line, const Vector2d& point, Pla
     pulls_[Index(b)].radius += s.by_radius_b;
   }
   Vector2d gradient = Vector2d::Zero();
-  for (const Pull& pull : pulls_) gradient -= pull.position;
+  for (int i = first; i <= last; ++i) gradient -= pulls_[Index(i)].position;
   values_.push_back(value);
   gradients_.push_back(gradient);
   // Where an end is moved out by its radius along its segment, its pull is felt by radius and
@@ -195,6 +210,8 @@ double PlanarField::AddPolyline(const Polyline& line, const Vector2d& point, Pla
   std::array<std::pair<int, Vector2d>, 2> passed_on;
   std::size_t count = 0;
   for (const End& end : line.ends) {
+    if (end.vertex < first || end.vertex > last) continue;
+    touch(end.neighbour);
     Pull& pull = pulls[Index(end.vertex)];
     const Vector2d turned = end.turn * pull.position;
     pull.radius += kCapShift * end.direction.dot(pull.position);
@@ -203,12 +220,13 @@ double PlanarField::AddPolyline(const Polyline& line, const Vector2d& point, Pla
   }
   for (std::size_t k = 0; k < count; ++k)
     pulls[Index(passed_on[k].first)].position += passed_on[k].second;
-  for (int i = 0; i < n; ++i) {
-    if (pulls[Index(i)].radius == 0 && pulls[Index(i)].position.isZero(0)) continue;
+  for (int i = first; i <= last; ++i) {
+    const Pull pull = std::exchange(pulls[Index(i)], {});
+    if (pull.radius == 0 && pull.position.isZero(0)) continue;
     const int index = 3 * (line.first + i);
-    sample.derivatives.emplace_back(index, pulls[Index(i)].radius * line.radii[Index(i)]);
-    sample.derivatives.emplace_back(index + 1, pulls[Index(i)].position.x());
-    sample.derivatives.emplace_back(index + 2, pulls[Index(i)].position.y());
+    sample.derivatives.emplace_back(index, pull.radius * line.radii[Index(i)]);
+    sample.derivatives.emplace_back(index + 1, pull.position.x());
+    sample.derivatives.emplace_back(index + 2, pull.position.y());
   }
   return value;
 }
@@ -228,10 +246,10 @@ void PlanarField::Evaluate(const Vector2d& point, PlanarSample& sample) {
   }
   if (largest <= 0) return;
   double sum = 0;
-  for (const double v : values_) sum += std::pow(v / largest, 4);
+  for (const double v : values_) sum += ShareOf(v / largest);
   sample.value = largest * std::sqrt(std::sqrt(sum));
   for (std::size_t c = 0, k = 0; c < values_.size(); ++c) {
-    const double share = PowerOfRicci(values_[c] / sample.value);
+    const double share = SlopeOf(values_[c] / sample.value);
     sample.gradient += share * gradients_[c];
     for (; k < row_ends_[c]; ++k) sample.derivatives[k].second *= share;
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <utility>
 #include <vector>
 
@@ -43,6 +44,7 @@ class PlanarField {
     int first = 0;                           ///< number of its first vertex
     std::vector<Eigen::Vector2d> positions;  ///< with the ends moved out
     std::vector<double> radii;
+    std::vector<Eigen::AlignedBox2d> boxes;  ///< outside of them, the segments' fields are 0
     std::vector<End> ends;
     Eigen::Vector2d center = Eigen::Vector2d::Zero();
     double reach = 0;  ///< its field is 0 further than this from the center
@@ -56,7 +58,7 @@ class PlanarField {
   double AddPolyline(const Polyline& line, const Eigen::Vector2d& point, PlanarSample& sample);
 
   std::vector<Polyline> lines_;
-  std::vector<Pull> pulls_;  ///< scratch
+  std::vector<Pull> pulls_;  ///< scratch: all 0
   std::vector<double> values_;
   std::vector<Eigen::Vector2d> gradients_;
   std::vector<std::size_t> row_ends_;
