@@ -42,6 +42,7 @@ constexpr double kSteepestTilt = 1.0;
 
 /// Stations of one chain, the first of them `stations[0]`, carry on how the depth changes along it:
 /// averages of depths alone would be steps, and turn back towards the middle beyond the last disc.
+/// How it changes across the chain stays.
 void CarryOn(std::span<DepthStation> stations) {
   for (std::size_t i = 0; i < stations.size(); ++i) {
     const DepthStation& before = stations[i > 0 ? i - 1 : i];
@@ -50,7 +51,8 @@ void CarryOn(std::span<DepthStation> stations) {
     const double squared = way.squaredNorm();
     if (!(squared > 0)) continue;
     DepthStation& here = stations[i];
-    here.tilt = (after.z - before.z) / squared * way;
+    const Eigen::Vector2d across = here.tilt - here.tilt.dot(way) / squared * way;
+    here.tilt = (after.z - before.z) / squared * way + across;
     const double slope = here.tilt.norm();
     if (slope > kSteepestTilt) here.tilt *= kSteepestTilt / slope;
     double nearest = way.norm();

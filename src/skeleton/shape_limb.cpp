@@ -40,7 +40,7 @@ constexpr double kWithin = 0.9, kLeastShoulder = 0.6;
 constexpr double kMostRelief = 0.12;
 /// Islands: thickness in z over width, and how deep their middle lies under the surface, in radii.
 constexpr double kLens = 0.5, kLensDepth = 0.15;
-/// Steepest slope that an island follows.
+/// Steepest slope of its parent that an island or a limb follows.
 constexpr double kSteepest = 0.7;
 constexpr double kReach = 0.8;  ///< of a station, in radii
 
@@ -87,6 +87,14 @@ struct Place {
   double away = 0;     ///< from the top
   std::optional<double> front;
 };
+
+/// Change by place of the depth of the parent's surface, `front` there.
+Vector2d SlopeOf(const LimbParent& parent, const Vector2d& place, double front) {
+  const Vector3d normal = parent.surface.Normal(place, front);
+  const double flat = normal.head<2>().norm();
+  if (!(flat > 0)) return Vector2d::Zero();
+  return -normal.head<2>() / std::max(normal.z(), flat / kSteepest);
+}
 
 class LimbShaper {
  public:
@@ -158,6 +166,17 @@ class LimbShaper {
     if (!chain.vertices.empty()) shape.shoulder = std::move(chain);
   }
 
+  /// Lets the limb's end, whose middle is at the depth `root` at the top, go under the parent's
+  /// surface as a shoulder blade does, and not stand on it like a peg.
+  void Sink(double root, LimbShape& shape) const {
+    const Vector2d way = top_.position - tip_->disc.position;
+    const Vector2d end = top_.position + top_.radius * way.stableNormalized();
+    const std::optional<double> front = parent_.surface.Front(end);
+    if (!front) return;
+    const double z = std::min(root, *front - kThinnest * top_.radius);
+    shape.stations.push_back({end, kReach * top_.radius, z, kThinnest});
+  }
+
   /// Mean radius where the limb is clear of its parent; of all of it when it is nowhere.
   double FreeRadius() const {
     double sum = 0, count = 0;
@@ -206,9 +225,16 @@ class LimbShaper {
                            kThinnestFree, options_.limb_depth);
       }
       scale = std::clamp(scale, kThinnest, options_.limb_depth);
-      shape.stations.push_back({p.disc.position, kReach * p.disc.radius, z, scale});
+      const Vector2d tilt =
+          lies ? Vector2d((1 - share) * SlopeOf(parent_, p.disc.position, *p.front))
+               : Vector2d(Vector2d::Zero());
+      shape.stations.push_back({p.disc.position, kReach * p.disc.radius, z, scale, tilt});
     }
-    if (surface < foot) AddShoulder(on_parent, foot, flank, shape);
+    if (surface < foot) {
+      AddShoulder(on_parent, foot, flank, shape);
+    } else {
+      Sink(root, shape);
+    }
     return shape;
   }
 
@@ -284,11 +310,7 @@ LimbShape ShapeIsland(const CreaturePart& island, const LimbParent& parent) {
   Vector2d slope = Vector2d::Zero();
   if (front) {
     shape.z = *front - kLensDepth * disc.radius;
-    const Vector3d normal = parent.surface.Normal(disc.position, *front);
-    const double flat = normal.head<2>().norm();
-    if (flat > 0) {
-      slope = -normal.head<2>() / std::max(normal.z(), flat / kSteepest);
-    }
+    slope = SlopeOf(parent, disc.position, *front);
   }
   ForEachDisc(island, [&](const SkeletonVertex& v) {
     const double z = shape.z + slope.dot(v.position - disc.position);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -9,6 +10,7 @@
 #include "skeleton/chains.h"
 #include "skeleton/index.h"
 #include "skeleton/planar_field.h"
+#include "skeleton/ring.h"
 #include "skeleton/shapes.h"
 
 namespace lascaux {
@@ -109,6 +111,37 @@ TEST(FitToDrawing, BringsTheSilhouetteToTheOutline) {
     const FitError after = MeasureFit(drawing.parts, *fitted)[0];
     EXPECT_LT(after.max, c.max) << c.name << " began at " << before.max;
     EXPECT_LT(after.mean, c.mean) << c.name << " began at " << before.mean;
+  }
+}
+
+TEST(SampleOutline, TakesCornersAndIsEvenBetweenThem) {
+  const testing::Drawing drawing = testing::OnlyBody(testing::Crotches());
+  const Outline& outline = drawing.parts.parts[0].outline;
+  constexpr double kSpacing = 0.13;
+  const std::vector<OutlineSample> samples = SampleOutline(outline, kSpacing);
+  for (const Vector2d& crotch : testing::kCrotches) {
+    EXPECT_TRUE(std::any_of(samples.begin(), samples.end(), [&](const OutlineSample& s) {
+      return (s.point - crotch).norm() < 1e-9;
+    }));
+  }
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    EXPECT_LE((samples[(i + 1) % samples.size()].point - samples[i].point).norm(),
+              kSpacing * (1 + 1e-9));
+  }
+}
+
+TEST(FitToDrawing, CrotchesAreMet) {
+  const testing::Drawing drawing = testing::OnlyBody(testing::Crotches());
+  const Creature creature = Placed(drawing);
+  const auto fitted = FitToDrawing(drawing.parts, creature);
+  ASSERT_TRUE(fitted.ok());
+  const double diagonal = Diagonal(drawing.parts.parts[0].outline.points);
+  const Field before = MakeField(creature, {}), after = MakeField(*fitted, {});
+  for (const Vector2d& crotch : testing::kCrotches) {
+    const auto off = [&](const Field& field) {
+      return SignedDistance(Evaluate(field, {crotch.x(), -crotch.y(), 0})) / diagonal;
+    };
+    EXPECT_LT(std::abs(off(after)), 0.006) << "began at " << off(before);
   }
 }
 

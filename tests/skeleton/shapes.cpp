@@ -82,6 +82,16 @@ Outline Capsule(const Vector2d& from, const Vector2d& to, double radius) {
   return Drawn(std::move(points));
 }
 
+Outline Crotches() {
+  std::vector<Vector2d> points;
+  AddArc({4, 0}, 1, {-kPi / 2, kPi / 2}, points);
+  points.push_back(kCrotches[0]);
+  AddArc({0, 5 - kCrotches[0].x()}, kCrotches[0].x(), {0, kPi}, points);
+  points.push_back(kCrotches[1]);
+  AddArc({-4, 0}, 1, {kPi / 2, 3 * kPi / 2}, points);
+  return Drawn(std::move(points));
+}
+
 Outline Wedge(double opening) {
   // The arc touches both sides at distance 3 from the corner.
   const double half = opening / 2, radius = 3 * std::tan(half), middle = 3 / std::cos(half);

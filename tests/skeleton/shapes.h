@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "lascaux/sketch/depth_graph.h"
@@ -27,6 +28,12 @@ Outline Ear();
 
 /// A leg with a knee and a foot, about 1 wide and 6 high.
 Outline Leg();
+
+/// A body lying, the hull of two discs of radius 1 around (-4, 0) and (4, 0), with a leg 1.4 wide
+/// down to y = 5, and where they meet.
+Outline Crotches();
+inline const std::array<Eigen::Vector2d, 2> kCrotches{Eigen::Vector2d(0.7, 1),
+                                                      Eigen::Vector2d(-0.7, 1)};
 
 /// A random smooth star: radius 1 plus four harmonics.
 Outline RandomBlob(std::uint32_t seed);

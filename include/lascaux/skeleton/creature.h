@@ -89,8 +89,10 @@ struct PlaceInDepthOptions {
 /// (a hump, a fin), its depth doesn't follow.
 ///
 /// A limb over its parent has its root in the parent's surface, at the disc nearest its completion
-/// there, and is flattened where it lies on the parent. A hanging one (a leg, an arm) goes out from
-/// there to where its outer face is flush with the deepest place of the parent near it, and on
+/// there, and is flattened where it lies on the parent. A hanging one (a leg, an arm) is tilted
+/// there as the surface is, so that it stands out of it along both of its sides, and its end goes
+/// under the surface. It goes out to where its outer face is flush with the deepest place of the
+/// parent near it, and on
 /// straight; where its root would be nearer to the plane, as at the line of the belly, all of it is
 /// straight and goes up to that place by a chain of discs more (a shoulder), which the parent's
 /// outline hides. A rising one (an ear, a horn, a wing) leans out along the parent's normal, by 35
