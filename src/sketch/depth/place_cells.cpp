@@ -103,7 +103,7 @@ class Placer {
     node.role = PartRole::kSagittal;
     const bool holds_limbs = std::any_of(parts_.parts.begin(), parts_.parts.end(),
                                          [&](const Part& p) { return p.over == cell; });
-    if (holds_limbs || !side_cells_.IsOneOfAPair(cell, parent, OpenBehind(cell))) return;
+    if (holds_limbs || side_cells_.OneOfAPair(cell, parent, OpenBehind(cell)) < 0) return;
     node.role = PartRole::kForeground;
     node.relation = Relation::kOver;
   }

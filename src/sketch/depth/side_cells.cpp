@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "sketch/map/polyline.h"
+#include "sketch/parts/evidence.h"
 
 namespace lascaux {
 namespace {
@@ -65,7 +66,6 @@ SideCells::SideCells(const PlanarMap& map, const Parts& parts, const Adjacency& 
   for (Index i = 0; i < parts.parts.size(); ++i) {
     const Part& part = parts.parts[i];
     if (part.kind == PartKind::kIsland) eyes_.push_back(Centroid(part.outline.points));
-    if (part.root) roots_.push_back(0.5 * (part.root->closed[0] + part.root->closed[1]));
     for (const Vector2d& p : part.outline.points) {
       top_ = std::min(top_, p.y());
       bottom_ = std::max(bottom_, p.y());
@@ -73,6 +73,14 @@ SideCells::SideCells(const PlanarMap& map, const Parts& parts, const Adjacency& 
       left_ = std::min(left_, p.x());
       right_ = std::max(right_, p.x());
     }
+  }
+  for (const Part& part : parts.parts) {
+    if (!part.root) continue;
+    const auto& points = part.outline.points;
+    const bool stands = std::any_of(points.begin(), points.end(), [&](const Vector2d& p) {
+      return p.y() > bottom_ - kGround * (bottom_ - top_);
+    });
+    if (stands) roots_.push_back(0.5 * (part.root->closed[0] + part.root->closed[1]));
   }
 }
 
@@ -109,56 +117,65 @@ SideCells::Shape SideCells::ShapeOf(int cell, int parent, const std::vector<int>
   return shape;
 }
 
-bool SideCells::IsLeg(const Shape& shape, int parent) const {
-  const double reach = shape.tip.norm();
-  const double above = (bottom_ - shape.lowest) / (bottom_ - top_);
+double SideCells::LegScore(const Shape& shape, int parent) const {
+  const double reach = shape.tip.norm(), height = bottom_ - top_;
   // The joint lies across a leg on the underside; that of a tail stands upright on the rump.
   const bool across = std::abs(shape.chord.x()) > std::abs(shape.chord.y());
-  if (above > (across ? kGround : kStands)) return false;
-  if (reach < kLongerThanJoint * shape.chord.norm()) return false;
-  if (shape.tip.y() < kDown * reach || shape.area * kSlender > reach * reach) return false;
   const auto& outline = parts_.parts[static_cast<Index>(parent)].outline.points;
-  return shape.joint.y() > Centroid(outline).y();
+  return Evidence()
+      .AtMost(bottom_ - shape.lowest, (across ? kGround : kStands) * height)
+      .AtLeast(reach, kLongerThanJoint * shape.chord.norm())
+      .AtLeast(shape.tip.y(), kDown * reach)
+      .AtLeast(reach * reach, kSlender * shape.area)
+      .AtLeast(shape.joint.y() - top_, Centroid(outline).y() - top_)
+      .Score();
 }
 
-bool SideCells::IsAtHead(const Vector2d& joint) const {
+double SideCells::HeadScore(const Vector2d& joint) const {
   if (!eyes_.empty()) {
-    return std::any_of(eyes_.begin(), eyes_.end(), [&](const Vector2d& eye) {
-      return (eye - joint).norm() < kNearEye * map_.diagonal;
-    });
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Vector2d& eye : eyes_) nearest = std::min(nearest, (eye - joint).norm());
+    return Evidence().AtMost(nearest, kNearEye * map_.diagonal).Score();
   }
-  if (roots_.size() < 2) return false;
+  if (roots_.size() < 2) return -1;
   const auto [first, last] =
       std::minmax_element(roots_.begin(), roots_.end(),
                           [](const Vector2d& a, const Vector2d& b) { return a.x() < b.x(); });
   const double left = first->x() - left_, right = right_ - last->x();
-  if (left > kLongerEnd * right) return joint.x() < first->x();
-  return right > kLongerEnd * left && joint.x() > last->x();
+  const bool faces_left = left > right;
+  return Evidence()
+      .AtLeast(std::max(left, right), kLongerEnd * std::min(left, right))
+      .AtMost(faces_left ? joint.x() - left_ : right_ - joint.x(), std::max(left, right))
+      .Score();
 }
 
-bool SideCells::IsEar(const Shape& shape, int cell, int parent) const {
-  if (roots_.empty()) return false;
+double SideCells::EarScore(const Shape& shape, int cell, int parent) const {
+  if (roots_.empty()) return -1;
   const Part& part = parts_.parts[static_cast<Index>(cell)];
   const double reach = shape.tip.norm();
-  if (-shape.tip.y() < kUp * reach || shape.shared > kMostShared ||
-      reach < kLeastReach * shape.chord.norm())
-    return false;
   double animal = 0;
   for (const Part& other : parts_.parts) {
     if (other.kind == PartKind::kBorder) animal += SignedArea(other.outline.points);
   }
-  if (shape.area > kMostEar * animal) return false;
   const auto& outline = parts_.parts[static_cast<Index>(parent)].outline.points;
   const bool holds_eye = std::any_of(eyes_.begin(), eyes_.end(), [&](const Vector2d& eye) {
     return Contains(part.outline.points, eye);
   });
-  return !holds_eye && shape.joint.y() < Centroid(outline).y() && IsAtHead(shape.joint);
+  if (holds_eye) return -1;
+  return Evidence()
+      .AtLeast(-shape.tip.y(), kUp * reach)
+      .AtMost(shape.shared, kMostShared)
+      .AtLeast(reach, kLeastReach * shape.chord.norm())
+      .AtMost(shape.area, kMostEar * animal)
+      .AtMost(shape.joint.y() - top_, Centroid(outline).y() - top_)
+      .And(HeadScore(shape.joint))
+      .Score();
 }
 
-bool SideCells::IsOneOfAPair(int cell, int parent, const std::vector<int>& more) const {
+double SideCells::OneOfAPair(int cell, int parent, const std::vector<int>& more) const {
   const Shape own = ShapeOf(cell, parent, {});
-  if (own.tip.squaredNorm() == 0) return false;
-  return IsLeg(ShapeOf(cell, parent, more), parent) || IsEar(own, cell, parent);
+  if (own.tip.squaredNorm() == 0) return -1;
+  return std::max(LegScore(ShapeOf(cell, parent, more), parent), EarScore(own, cell, parent));
 }
 
 std::optional<double> SideCells::Unlikeness(int one, int other, int parent) const {

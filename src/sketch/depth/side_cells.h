@@ -19,14 +19,15 @@ class SideCells {
   SideCells(const PlanarMap& map, const Parts& parts, const Adjacency& adjacency,
             const DepthGraph& graph);
 
-  /// True when a cell that hangs on `parent`, a part in the plane, leaves it sideways and is one of
-  /// a pair. `more` are the cells that hang on the cell alone (a hoof), which count as its own.
+  /// Does a cell that hangs on `parent`, a part in the plane, leave it sideways, one of a pair?
+  /// `more` are the cells that hang on the cell alone (a hoof), which count as its own.
   ///
   /// A leg is longer than wide, leaves its parent's underside and comes down to the ground. An ear
   /// or a horn leaves the upper side of the head upwards, longer than its joint. The head is where
   /// the eyes are; without any, the end of the body that reaches farther beyond the legs. An animal
-  /// without a single limb has fins, not ears.
-  bool IsOneOfAPair(int cell, int parent, const std::vector<int>& more) const;
+  /// without a single leg has fins, not ears.
+  /// The score of the better role of both (Evidence): it is one from 0 on.
+  double OneOfAPair(int cell, int parent, const std::vector<int>& more) const;
 
   /// Is this leg's far or near side beside it? How unlike they are, or none.
   std::optional<double> Unlikeness(int one, int other, int parent) const;
@@ -37,9 +38,9 @@ class SideCells {
  private:
   struct Shape;
   Shape ShapeOf(int cell, int parent, const std::vector<int>& more) const;
-  bool IsLeg(const Shape& shape, int parent) const;
-  bool IsEar(const Shape& shape, int cell, int parent) const;
-  bool IsAtHead(const Eigen::Vector2d& joint) const;
+  double LegScore(const Shape& shape, int parent) const;
+  double EarScore(const Shape& shape, int cell, int parent) const;
+  double HeadScore(const Eigen::Vector2d& joint) const;
 
   const PlanarMap& map_;
   const Parts& parts_;
