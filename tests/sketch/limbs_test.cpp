@@ -250,6 +250,32 @@ TEST(Limbs, ClosedCellsBelowTheBodyAreLegs) {
                           {{312, 150}, PartRole::kSagittal}});
 }
 
+TEST(Limbs, LegsOfASilhouetteMayStandForward) {
+  // 60 degrees from the vertical. Where another leg comes straight down, such a lobe is none.
+  const std::string
+      crouching = R"(<path d="M60 160C60 100 140 60 220 80C270 90 300 120 300 150
+      C300 170 290 180 262 188L332 226L322 236L246 200C)",
+      hind = R"(200 208 150 208 120 200L182 226L172 236L92 192C70 185 60 175 60 160Z"/>)",
+      down = R"(200 208 150 208 124 200L118 236L100 236L92 192C70 185 60 175 60 160Z"/>)";
+  ExpectStructure(crouching + hind, {{{160, 140}, PartRole::kBody},
+                                     {{310, 222}, PartRole::kForeground},
+                                     {{164, 226}, PartRole::kForeground}});
+  ExpectStructure(crouching + down,
+                  {{{310, 222}, PartRole::kBody}, {{109, 226}, PartRole::kForeground}});
+}
+
+TEST(Limbs, HornsAreNoLegsWhereTheHeadIsLookedFor) {
+  // The calf without its eye and with a horn that has suggestive curves: the ear behind it is one.
+  std::string calf = kCalf;
+  calf.erase(calf.find("<circle"));
+  const std::string nose = "C40,112 44,98 56,94 ";
+  calf.replace(calf.find(nose), nose.size(), "L44,112 L20,70 L56,94 ");
+  calf += R"(<path d="M44,112 L54,116"/><path d="M56,94 L66,100"/>)";
+  ExpectStructure(calf, {{{200, 140}, PartRole::kBody},
+                         {{38, 94}, PartRole::kForeground},
+                         {{113, 45}, PartRole::kForeground}});
+}
+
 TEST(Limbs, FinsOfAnAnimalWithoutLimbsLieInThePlane) {
   ExpectStructure(kFish, {{{200, 140}, PartRole::kBody},
                           {{365, 150}, PartRole::kSagittal},

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "sketch/map/heights.h"
+#include "sketch/parts/evidence.h"
 #include "sketch/parts/limb_cut.h"
 
 namespace lascaux {
@@ -11,8 +12,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Steps along the contour, and the reach over which its turns are taken; shares of the diagonal.
-constexpr double kStep = 5e-3, kTurnReach = 0.02;
+/// Steps along the contour, share of the diagonal.
+constexpr double kStep = 5e-3;
 /// A contour that is longer than this many steps is fur: it is sampled more coarsely, to save time.
 constexpr int kMostSamples = 3000;
 /// A crotch turns into the animal by at least this much.
@@ -24,16 +25,15 @@ constexpr double kLeastWidth = 8e-3, kMostWidth = 0.25;
 constexpr double kLeastReach = 1.05, kMostArea = 0.15;
 /// Shorter lobes, as a share of the diagonal, are toes.
 constexpr double kLeastLength = 0.06;
-/// It stands in the lowest part of the drawing, this share of its height, and points down.
+/// It stands in the lowest part of the drawing, this share of its height.
 constexpr double kGround = 0.15;
-constexpr double kDown = 50 * std::numbers::pi / 180;
 /// Past the narrowest place the contour has to widen by this much, or the neck is none.
 constexpr double kWidening = 1.25;
 /// Legs whose roots are nearer to each other than this share of the animal's width are the two of a
 /// pair.
 constexpr double kSamePair = 0.2;
 /// Pairs of legs that an animal stands on: what hangs down besides is a trunk, a beard, a tail.
-constexpr int kPairs = 2;
+constexpr std::size_t kPairs = 2;
 /// How far a leg without any line on the flank reaches up into it, in widths of its root.
 constexpr double kTop = 0.6;
 
@@ -55,6 +55,7 @@ struct Lobe {
   int from = 0, to = 0;
   double width = 0, length = 0;
   Vector2d root, tip;
+  double score = 0;  ///< how much like a leg it is (Evidence)
 };
 
 Contour Sampled(const FaceView& face) {
@@ -70,22 +71,22 @@ Contour Sampled(const FaceView& face) {
   return contour;
 }
 
-/// Turn of the contour at a sample; negative where it turns into the animal.
-double TurnAt(const Contour& contour, int i) {
-  const int reach = std::max(1, static_cast<int>(kTurnReach / kStep));
+/// Turn of the contour at a sample, over `reach` samples to both sides; negative where it turns
+/// into the animal.
+double TurnAt(const Contour& contour, int i, int reach) {
   const Vector2d before = contour.At(i) - contour.At(i - reach),
                  after = contour.At(i + reach) - contour.At(i);
   return std::atan2(Cross(before, after), before.dot(after));
 }
 
-std::vector<int> Crotches(const Contour& contour) {
+/// Places that turn into the animal most within `reach` samples.
+std::vector<int> Crotches(const Contour& contour, int reach) {
   std::vector<double> turns;
-  for (int i = 0; i < contour.size; ++i) turns.push_back(TurnAt(contour, i));
+  for (int i = 0; i < contour.size; ++i) turns.push_back(TurnAt(contour, i, reach));
   const auto turn = [&](int i) {
     return turns[static_cast<std::size_t>(((i % contour.size) + contour.size) % contour.size)];
   };
   std::vector<int> crotches;
-  const int reach = std::max(1, static_cast<int>(kTurnReach / kStep));
   for (int i = 0; i < contour.size; ++i) {
     bool sharpest = turn(i) < -kCrotch;
     for (int k = 1; k <= reach && sharpest; ++k)
@@ -134,15 +135,21 @@ bool ChordIsInside(const FaceView& face, const Vector2d& a, const Vector2d& b) {
   return true;
 }
 
-bool IsLeg(const Contour& contour, const Lobe& lobe, const Heights& heights) {
-  const double diagonal = contour.face.map.diagonal;
-  if (lobe.width < kLeastWidth * diagonal || lobe.width > kMostWidth * diagonal) return false;
-  if (lobe.length < std::max(kLeastReach * lobe.width, kLeastLength * diagonal)) return false;
-  if (lobe.tip.y() < heights.bottom - kGround * (heights.bottom - heights.top)) return false;
-  if (AngleBetween(lobe.tip - lobe.root, {0, 1}) > kDown) return false;
-  const double area = AreaOf(contour, lobe);
-  if (area <= 0 || area > kMostArea * SignedArea(contour.face.line.points)) return false;
-  return ChordIsInside(contour.face, contour.At(lobe.from), contour.At(lobe.to));
+/// How much like a leg a lobe is that points down within `swing` (Evidence).
+double LegScore(const Contour& contour, const Lobe& lobe, const Heights& heights, double swing) {
+  const double diagonal = contour.face.map.diagonal, area = AreaOf(contour, lobe);
+  const double score =
+      Evidence()
+          .AtLeast(lobe.width, kLeastWidth * diagonal)
+          .AtMost(lobe.width, kMostWidth * diagonal)
+          .AtLeast(lobe.length, kLeastReach * lobe.width)
+          .AtLeast(lobe.length, kLeastLength * diagonal)
+          .AtMost(heights.bottom - lobe.tip.y(), kGround * (heights.bottom - heights.top))
+          .AtMost(AngleBetween(lobe.tip - lobe.root, {0, 1}), swing)
+          .AtMost(area, kMostArea * SignedArea(contour.face.line.points))
+          .Score();
+  if (score < 0 || area <= 0) return -1;
+  return ChordIsInside(contour.face, contour.At(lobe.from), contour.At(lobe.to)) ? score : -1;
 }
 
 Lobe LobeBetween(const Contour& contour, int from, int to) {
@@ -151,7 +158,8 @@ Lobe LobeBetween(const Contour& contour, int from, int to) {
             (contour.At(to) - contour.At(from)).norm(),
             0,
             0.5 * (contour.At(from) + contour.At(to)),
-            contour.At(from)};
+            contour.At(from),
+            0};
   for (int i = from; i <= to; ++i) {
     const double d = (contour.At(i) - lobe.root).norm();
     if (d <= lobe.length) continue;
@@ -168,17 +176,31 @@ bool Overlap(const Contour& contour, const Lobe& a, const Lobe& b) {
   return holds(a, b.from) || holds(b, a.from);
 }
 
+/// How plainly a leg has to show.
+struct Plainness {
+  double reach;  ///< way over which a crotch turns, share of the diagonal
+  double swing;  ///< angle between leg and vertical
+};
+
+constexpr double kDegree = std::numbers::pi / 180;
+/// Sharp crotches and legs that point down; only an animal without any such leg has them stand
+/// forward, and then between rounded crotches.
+constexpr std::array kPlainness = {Plainness{0.02, 50 * kDegree}, Plainness{0.02, 75 * kDegree},
+                                   Plainness{0.04, 75 * kDegree}};
+
 /// The legs of the contour, in its order.
-std::vector<Lobe> FindLegs(const Contour& contour) {
+std::vector<Lobe> FindLegs(const Contour& contour, const Plainness& plainness) {
   const Heights heights = HeightsOf(contour.face.map);
+  const int reach = static_cast<int>(std::lround(plainness.reach / kStep));
   std::vector<Lobe> found;
-  for (const int crotch : Crotches(contour)) {
+  for (const int crotch : Crotches(contour, reach)) {
     for (const int way : {1, -1}) {
       const auto opposite = Opposite(contour, crotch, way);
       if (!opposite) continue;
-      const Lobe lobe = way > 0 ? LobeBetween(contour, crotch, *opposite)
-                                : LobeBetween(contour, *opposite, crotch);
-      if (IsLeg(contour, lobe, heights)) found.push_back(lobe);
+      Lobe lobe = way > 0 ? LobeBetween(contour, crotch, *opposite)
+                          : LobeBetween(contour, *opposite, crotch);
+      lobe.score = LegScore(contour, lobe, heights, plainness.swing);
+      if (lobe.score >= 0) found.push_back(lobe);
     }
   }
   // Of two cuts through one leg the one that parts more of it at a narrower place.
@@ -241,16 +263,17 @@ std::vector<std::vector<std::size_t>> Groups(const Contour& contour,
 }
 
 /// Known limbs that stand on the ground.
-int StandingLimbs(const FaceView& face, const std::vector<LimbCut>& limbs) {
+std::size_t StandingLimbs(const FaceView& face, const std::vector<LimbCut>& limbs) {
   const Heights heights = HeightsOf(face.map);
   const double ground = heights.bottom - kGround * (heights.bottom - heights.top);
-  return static_cast<int>(std::count_if(limbs.begin(), limbs.end(), [&](const LimbCut& limb) {
-    const double own = face.line.Ahead(limb.from, limb.to), step = kStep * face.map.diagonal;
-    for (double s = 0; s < own; s += step) {
-      if (face.line.At(limb.from + s).y() > ground) return true;
-    }
-    return false;
-  }));
+  return static_cast<std::size_t>(
+      std::count_if(limbs.begin(), limbs.end(), [&](const LimbCut& limb) {
+        const double own = face.line.Ahead(limb.from, limb.to), step = kStep * face.map.diagonal;
+        for (double s = 0; s < own; s += step) {
+          if (face.line.At(limb.from + s).y() > ground) return true;
+        }
+        return false;
+      }));
 }
 
 bool IsFree(const FaceView& face, const LimbCut& cut, const std::vector<LimbCut>& limbs) {
@@ -261,14 +284,27 @@ bool IsFree(const FaceView& face, const LimbCut& cut, const std::vector<LimbCut>
   });
 }
 
+/// Free legs, in the contour's order: as plain ones as there are. None are enough if some of
+/// `limbs` stand.
+std::vector<Lobe> FreeLegs(const Contour& contour, const std::vector<LimbCut>& limbs,
+                           std::size_t standing) {
+  std::vector<Lobe> legs;
+  for (const Plainness& plainness : kPlainness) {
+    legs = FindLegs(contour, plainness);
+    std::erase_if(
+        legs, [&](const Lobe& leg) { return !IsFree(contour.face, CutAt(contour, leg), limbs); });
+    if (standing > 0 || !legs.empty()) break;
+  }
+  return legs;
+}
+
 }  // namespace
 
 std::vector<LimbCut> NeckLimbs(const FaceView& face, const std::vector<LimbCut>& limbs) {
-  const int wanted = kPairs - StandingLimbs(face, limbs);
-  if (wanted <= 0) return {};
+  const std::size_t standing = StandingLimbs(face, limbs);
+  if (standing >= kPairs) return {};
   const Contour contour = Sampled(face);
-  std::vector<Lobe> legs = FindLegs(contour);
-  std::erase_if(legs, [&](const Lobe& leg) { return !IsFree(face, CutAt(contour, leg), limbs); });
+  const std::vector<Lobe> legs = FreeLegs(contour, limbs, standing);
   std::vector<std::vector<std::size_t>> groups = Groups(contour, legs);
   std::vector<LimbCut> cuts;
   // What comes down lower on the page is nearer: the near leg of a pair, and legs before trunks.
@@ -279,13 +315,13 @@ std::vector<LimbCut> NeckLimbs(const FaceView& face, const std::vector<LimbCut>&
     std::stable_sort(group.begin(), group.end(), lower);
   std::stable_sort(groups.begin(), groups.end(),
                    [&](const auto& a, const auto& b) { return lower(a.front(), b.front()); });
-  groups.resize(std::min(groups.size(), static_cast<std::size_t>(wanted)));
+  groups.resize(std::min(groups.size(), kPairs - standing));
   for (const std::vector<std::size_t>& group : groups) {
-    const LimbCut near = CutAt(contour, legs[group.front()]);
-    cuts.push_back(near);
+    const int near = static_cast<int>(cuts.size());
+    cuts.push_back(CutAt(contour, legs[group.front()]));
     if (group.size() == 1) continue;
     LimbCut far = CutAt(contour, legs[group[1]]);
-    far.far_of = static_cast<int>(cuts.size()) - 1;
+    far.far_of = near;
     cuts.push_back(std::move(far));
   }
   return cuts;
