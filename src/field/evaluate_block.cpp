@@ -315,6 +315,20 @@ internal::KernelLattice LatticeFor(const Offsets& offsets) {
   return lattice;
 }
 
+/// Bit i is set where values[i] is above `limit`.
+std::uint64_t BitsAbove(const float* values, float limit) {
+  std::uint64_t bits = 0;
+  for (std::size_t line = 0; line < kTile; line += 8) {
+    std::array<std::uint8_t, 8> above;
+    for (std::size_t i = 0; i < above.size(); ++i) above[i] = values[line + i] > limit ? 1 : 0;
+    std::uint64_t bytes = 0;
+    for (std::size_t i = 0; i < above.size(); ++i) bytes |= std::uint64_t{above[i]} << 8 * i;
+    // Each byte's lowest bit moves to its place in the highest byte, and no two meet.
+    bits |= (bytes * 0x0102040810204080 >> 56) << line;
+  }
+  return bits;
+}
+
 struct Interpolation {
   const Offsets& offsets;
   float least_error;
@@ -332,12 +346,9 @@ LatticeBits Interpolate(const CompiledField::Data& data, const Program& program,
   const float error = std::max(result.error, how.least_error);
   LatticeBits inside{};
   for (std::size_t x = 0; x < inside.size(); ++x) {
-    std::uint64_t near = 0;
-    for (std::size_t i = 0; i < kTile; ++i) {
-      const float above = result.layer[x].value[i] - kIso;
-      inside[x] |= std::uint64_t{above > error} << i;
-      near |= std::uint64_t{std::abs(above) <= error} << i;
-    }
+    const float* const values = result.layer[x].value;
+    inside[x] = BitsAbove(values, kIso + error);
+    std::uint64_t near = BitsAbove(values, kIso - error) & ~inside[x];
     for (; near != 0; near &= near - 1)
       unsure.Add(kTile * x + static_cast<std::size_t>(std::countr_zero(near)));
   }

@@ -7,6 +7,7 @@
 
 #include "volume/band.h"
 #include "volume/block_samples.h"
+#include "volume/side_words.h"
 
 namespace lascaux {
 namespace {
@@ -130,39 +131,11 @@ void ConnectBlocks(Band& band) {
 }
 
 std::vector<VoxelMask> FindCrossings(const Band& band) {
-  constexpr std::uint64_t kFirstZ = 0x0101010101010101;  // the bits with z = 0
-  constexpr std::uint64_t kLastZ = kFirstZ << 7;
   std::vector<VoxelMask> crossings(band.size());
   tbb::parallel_for(std::size_t{0}, band.size(), [&](std::size_t b) {
-    const VoxelMask& own = band.inside[b];
-    // A missing neighbour has no surface near, so it is on the same side as the voxels that touch
-    // it: its words may be taken for the block's own, shifted back.
-    const auto neighbour = [&](std::size_t side) {
-      const std::int32_t n = band.neighbours[b][side];
-      return n == kNoBlock ? nullptr : &band.inside[static_cast<std::size_t>(n)];
-    };
-    const bool mirrors = band.upper_half && band.origins[b].z() == 0;
     for (std::size_t x = 0; x < 8; ++x) {
-      const std::uint64_t w = own[x];
-      const auto beside = [&](std::size_t side) {
-        const VoxelMask* const n = neighbour(side);
-        return n == nullptr ? std::nullopt : std::optional((*n)[x]);
-      };
-      const std::uint64_t low_x = x > 0 ? own[x - 1] : neighbour(0) ? (*neighbour(0))[7] : w;
-      const std::uint64_t high_x = x < 7 ? own[x + 1] : neighbour(1) ? (*neighbour(1))[0] : w;
-      const std::uint64_t low_y = w << 8 | (beside(2) ? *beside(2) >> 56 : w & 0xFF);
-      const std::uint64_t high_y = w >> 8 | (beside(3) ? *beside(3) << 56 : w & 0xFFULL << 56);
-      std::uint64_t first_z = w & kFirstZ;
-      if (mirrors) {
-        first_z = w >> 1 & kFirstZ;
-      } else if (beside(4)) {
-        first_z = *beside(4) >> 7 & kFirstZ;
-      }
-      const std::uint64_t last_z = beside(5) ? *beside(5) << 7 & kLastZ : w & kLastZ;
-      const std::uint64_t low_z = (w << 1 & ~kFirstZ) | first_z;
-      const std::uint64_t high_z = (w >> 1 & ~kLastZ) | last_z;
-      crossings[b][x] =
-          (w ^ low_x) | (w ^ high_x) | (w ^ low_y) | (w ^ high_y) | (w ^ low_z) | (w ^ high_z);
+      const auto sides = CrossedSides(band, b, x);
+      crossings[b][x] = sides[0] | sides[1] | sides[2] | sides[3] | sides[4] | sides[5];
     }
   });
   return crossings;

@@ -3,9 +3,12 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
+
+#include "volume/lanes.h"
 
 namespace lascaux {
 namespace {
@@ -36,6 +39,19 @@ std::vector<Source> ListSources(const Band& band) {
   return list;
 }
 
+/// Distances of a block's voxels, and which are inside.
+struct Content {
+  const float* distance;
+  VoxelMask inside;
+};
+
+/// The bits of a byte in reverse.
+std::uint64_t Reversed(std::uint64_t byte) {
+  byte = (byte >> 4 & 0x0F) | (byte << 4 & 0xF0);
+  byte = (byte >> 2 & 0x33) | (byte << 2 & 0xCC);
+  return (byte >> 1 & 0x55) | (byte << 1 & 0xAA);
+}
+
 /// Where a block's values go.
 struct Target {
   std::span<float> values;
@@ -47,74 +63,132 @@ class Writer {
   Writer(const Band& band, double voxel_size)
       : band_(band),
         voxel_(static_cast<float>(voxel_size)),
-        background_(BandBackground(voxel_size)) {}
+        background_(BandBackground(voxel_size)) {
+    if (!IsSupported(Isa::kAvx2)) return;
+    has_band_ = HasBandAvx2;
+    write_ = WriteAvx2;
+  }
 
   /// Does it hold a voxel of the band?
   bool HasBand(const Source& source) const {
-    bool found = false;
-    ForVoxels(source,
-              [&](std::size_t, float distance, bool) { found = found || IsBand(distance); });
-    return found;
+    Memory memory;
+    const Content content = ContentOf(source, memory);
+    return has_band_(content.distance, *this);
   }
 
   /// On which side is its first voxel?
   bool IsInside(const Source& source) const {
-    bool first = false;
-    ForVoxels(source, [&](std::size_t i, float, bool inside) { first = i == 0 ? inside : first; });
-    return first;
+    Memory memory;
+    return (ContentOf(source, memory).inside[0] & 1) != 0;
   }
 
   void Write(const Source& source, const Target& target) const {
+    Memory memory;
+    write_(ContentOf(source, memory), *this, target);
+  }
+
+  LASCAUX_INLINE bool HasBandIn(const float* distances) const {
+    Lanes least = Load(distances);
+    for (std::size_t at = kLanes; at < kBlockVoxels; at += kLanes)
+      least = Min(least, Load(distances + at));
+    return BitsOf(IsBand(least, Scaled(least))) != 0;
+  }
+
+  LASCAUX_INLINE void WriteLines(const Content& content, const Target& target) const {
     target.active = {};
-    ForVoxels(source, [&](std::size_t i, float distance, bool is_inside) {
-      const bool is_band = IsBand(distance);
-      const float magnitude = is_band ? Scaled(distance) : background_;
-      target.active[i / 64] |= static_cast<std::uint64_t>(is_band) << i % 64;
-      target.values[i] = is_inside ? -magnitude : magnitude;
-    });
+    for (std::size_t at = 0; at < kBlockVoxels; at += kLanes) {
+      const Lanes distance = Load(content.distance + at), scaled = Scaled(distance);
+      const LaneMask is_band = IsBand(distance, scaled);
+      const Lanes magnitude = is_band ? scaled : All(background_);
+      const auto inside = static_cast<std::int32_t>(content.inside[at / 64] >> at % 64 & 0xFF);
+      const LaneMask is_inside = (LaneMask{1, 2, 4, 8, 16, 32, 64, 128} & inside) != 0;
+      Store(is_inside ? -magnitude : magnitude, target.values.data() + at);
+      target.active[at / 64] |= BitsOf(is_band) << at % 64;
+    }
   }
 
  private:
-  float Scaled(float distance) const { return std::max(distance, kLeastDistance) * voxel_; }
+  using Memory = std::array<float, kBlockVoxels>;
+
+  LASCAUX_INLINE Lanes Scaled(const Lanes& distance) const {
+    return Max(distance, All(kLeastDistance)) * voxel_;
+  }
 
   // Rounding must not take an active value to the background, or it would not be in the band.
-  bool IsBand(float distance) const {
-    return distance < static_cast<float>(kBandVoxels) && Scaled(distance) < background_;
+  LASCAUX_INLINE LaneMask IsBand(const Lanes& distance, const Lanes& scaled) const {
+    return (distance < static_cast<float>(kBandVoxels)) & (scaled < background_);
   }
 
-  bool IsInside(std::size_t block, std::size_t i) const {
-    return (band_.inside[block][i / 64] >> i % 64 & 1) != 0;
-  }
-
-  /// Calls visit(voxel, distance, is inside) in order.
-  template <typename Visit>
-  void ForVoxels(const Source& source, Visit&& visit) const {
+  /// `memory` is for the image of a block, where it is none of the band's own.
+  Content ContentOf(const Source& source, Memory& memory) const {
     const auto block = static_cast<std::size_t>(source.block);
-    if (!source.is_lower) {
-      const float* const distance = band_.distance.data() + kBlockVoxels * block;
-      for (std::size_t i = 0; i < kBlockVoxels; ++i) visit(i, distance[i], IsInside(block, i));
-      return;
+    if (!source.is_lower) return {DistancesOf(block), band_.inside[block]};
+    Content content{memory.data(), {}};
+    for (std::size_t at = 0; at < kBlockVoxels; at += kLanes) {
+      const std::uint64_t inside = MirrorLine(source, at, memory.data() + at);
+      content.inside[at / 64] |= inside << at % 64;
     }
-    for (std::size_t line = 0; line < kBlockVoxels; line += 8) {
-      for (std::size_t k = 0; k < 8; ++k) {
-        // Voxel k of the line is at -8 - z + k, the image of 8 - k above the block's lowest.
-        const std::int32_t from = k == 0 ? source.above : source.block;
-        const std::size_t at = line + (k == 0 ? 0 : 8 - k);
-        if (from != kNoBlock) {
-          const auto there = static_cast<std::size_t>(from);
-          visit(line + k, band_.distance[kBlockVoxels * there + at], IsInside(there, at));
-        } else {
-          // Far from the surface, so on the same side as the voxel that touches it.
-          const bool is_inside = k == 0 ? IsInside(block, line + 7)
-                                        : IsInside(static_cast<std::size_t>(source.above), line);
-          visit(line + k, kFar, is_inside);
-        }
+    return content;
+  }
+
+  /// A line of the image: its voxel k is at -8 - z + k, the image of 8 - k above the block's
+  /// lowest. Returns which are inside. Missing ones are far from the surface, so on the same side
+  /// as the voxel that touches them.
+  std::uint64_t MirrorLine(const Source& source, std::size_t at, float* line) const {
+    const bool has_block = source.block != kNoBlock, has_above = source.above != kNoBlock;
+    std::uint64_t inside = 0;
+    if (has_block) {
+      const auto block = static_cast<std::size_t>(source.block);
+      const float* const from = DistancesOf(block) + at;
+      for (std::size_t k = 1; k < kLanes; ++k) line[k] = from[kLanes - k];
+      inside = Reversed(InsideLine(block, at)) << 1 & 0xFE;
+      if (!has_above) inside |= InsideLine(block, at) >> 7;
+    }
+    line[0] = kFar;
+    if (has_above) {
+      const auto above = static_cast<std::size_t>(source.above);
+      line[0] = DistancesOf(above)[at];
+      const std::uint64_t first = InsideLine(above, at) & 1;
+      inside |= first;
+      if (!has_block) {
+        std::fill_n(line + 1, kLanes - 1, kFar);
+        inside = first * 0xFF;
       }
     }
+    return inside;
   }
+
+  const float* DistancesOf(std::size_t block) const {
+    return band_.distance.data() + kBlockVoxels * block;
+  }
+  std::uint64_t InsideLine(std::size_t block, std::size_t at) const {
+    return band_.inside[block][at / 64] >> at % 64 & 0xFF;
+  }
+
+  // The same code twice, with the same bits: see sweep.cpp.
+  static bool HasBandBaseline(const float* distances, const Writer& self) {
+    return self.HasBandIn(distances);
+  }
+  static void WriteBaseline(const Content& content, const Writer& self, const Target& target) {
+    self.WriteLines(content, target);
+  }
+#if defined(__x86_64__)
+  [[gnu::target("avx2")]] static bool HasBandAvx2(const float* distances, const Writer& self) {
+    return self.HasBandIn(distances);
+  }
+  [[gnu::target("avx2")]] static void WriteAvx2(const Content& content, const Writer& self,
+                                                const Target& target) {
+    self.WriteLines(content, target);
+  }
+#else
+  static constexpr auto HasBandAvx2 = HasBandBaseline;
+  static constexpr auto WriteAvx2 = WriteBaseline;
+#endif
 
   const Band& band_;
   float voxel_, background_;
+  decltype(&HasBandBaseline) has_band_ = HasBandBaseline;
+  decltype(&WriteBaseline) write_ = WriteBaseline;
 };
 
 }  // namespace

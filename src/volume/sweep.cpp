@@ -2,39 +2,15 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstring>
 
 #include "volume/band.h"
 #include "volume/band_view.h"
-
-// What is compiled twice must be inlined into both.
-#define LASCAUX_INLINE [[gnu::always_inline]] inline
+#include "volume/lanes.h"
+#include "volume/side_words.h"
 
 namespace lascaux {
 namespace {
-
-// A line of a block, in the notation that g++ and clang share: one register with AVX2, two without.
-constexpr std::size_t kLanes = 8;
-using Lanes [[gnu::vector_size(4 * kLanes)]] = float;
-
-LASCAUX_INLINE Lanes All(float value) { return Lanes{} + value; }
-
-LASCAUX_INLINE Lanes Load(const float* from) {
-  Lanes lanes;
-  std::memcpy(&lanes, from, sizeof lanes);
-  return lanes;
-}
-
-LASCAUX_INLINE Lanes Min(Lanes a, Lanes b) { return a < b ? a : b; }
-LASCAUX_INLINE Lanes Max(Lanes a, Lanes b) { return a < b ? b : a; }
-
-/// Square root of what is positive, 0 of the rest.
-LASCAUX_INLINE Lanes Root(Lanes a) {
-  a = Max(a, Lanes{});
-  for (std::size_t k = 0; k < kLanes; ++k) a[k] = std::sqrt(a[k]);
-  return a;
-}
 
 /// The solution of Godunov's scheme from the smaller neighbour along each axis.
 LASCAUX_INLINE Lanes Solve(Lanes x, Lanes y, Lanes z) {
@@ -47,14 +23,6 @@ LASCAUX_INLINE Lanes Solve(Lanes x, Lanes y, Lanes z) {
   const Lanes three = (1.0F / 3.0F) * (sum + Root(sum * sum - 3.0F * (b * b + c * c - 1.0F)));
   const Lanes beyond_b = two > c ? three : two;
   return a + (b < 1.0F ? beyond_b : All(1));
-}
-
-/// Line, one step up or down, with `end` where nothing is left.
-LASCAUX_INLINE Lanes Before(Lanes line, float end) {
-  return __builtin_shufflevector(line, All(end), 8, 0, 1, 2, 3, 4, 5, 6);
-}
-LASCAUX_INLINE Lanes After(Lanes line, float end) {
-  return __builtin_shufflevector(line, All(end), 1, 2, 3, 4, 5, 6, 7, 8);
 }
 
 LASCAUX_INLINE bool IsAnyBelow(Lanes a, Lanes b) {
@@ -160,11 +128,12 @@ constexpr auto RunAvx2 = RunBaseline;
 /// The distance at a crossing. Along an axis, the distances of two voxels on different sides can't
 /// add up to more than the voxel between them; where they do, in creases that one of them does not
 /// see, they are scaled down.
-float DistanceAtCrossing(const BandView& view, std::size_t i) {
+float DistanceAtCrossing(const BandView& view, std::size_t i,
+                         const std::array<std::uint64_t, 6>& crossed) {
   const float own = std::min(view.At(i), 1.0F);
   float most = own;
   for (std::size_t side = 0; side < 6; ++side) {
-    if (view.IsInsideBeside(i, side) == view.IsInside(i)) continue;
+    if ((crossed[side] >> i % 64 & 1) == 0) continue;
     const float beyond = std::min(view.Beside(i, side), 1.0F);
     if (own + beyond > 1) most = std::min(most, own / (own + beyond));
   }
@@ -180,9 +149,11 @@ VoxelFloats FixCrossings(const Band& band, const std::vector<VoxelMask>& crossin
     const BandView view(band, band.distance, b);
     std::fill_n(fixed.data() + kBlockVoxels * b, kBlockVoxels, kFar);
     for (std::size_t x = 0; x < 8; ++x) {
+      if (crossings[b][x] == 0) continue;
+      const auto crossed = CrossedSides(band, b, x);
       for (std::uint64_t word = crossings[b][x]; word != 0; word &= word - 1) {
         const std::size_t i = 64 * x + static_cast<std::size_t>(std::countr_zero(word));
-        fixed[kBlockVoxels * b + i] = DistanceAtCrossing(view, i);
+        fixed[kBlockVoxels * b + i] = DistanceAtCrossing(view, i, crossed);
         lines[b] |= LineMask{1} << i / 8;
       }
     }
