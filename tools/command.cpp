@@ -155,7 +155,9 @@ Model Make(const Job& job, const CommandOptions& options, const Execution& execu
   // The summary and the report have the figures, the parse picture the worst place.
   pipeline->compare = options.verbosity != Verbosity::kQuiet || any(is_report) ||
                       any([](OutputKind kind) { return kind == OutputKind::kParsePicture; });
-  pipeline->details = any(HoldsDetails);
+  pipeline->details = any(HoldsDetails) ||
+                      pipeline->preview.render.material == Material::kDrawing ||
+                      options.write.volume.companions.color;
   pipeline->print_warnings = any(IsPrinted);
   pipeline->print_facts = pipeline->print_warnings || any(is_report);
   model = RunPipeline(*bytes, *pipeline, execution);
@@ -168,6 +170,8 @@ Model Make(const Job& job, const CommandOptions& options, const Execution& execu
   WriteOptions write = options.write;
   write.metadata = Metadata(job.sketch, options.pipeline, *bytes);
   for (auto& entry : HeadMetadata(model)) write.metadata.push_back(std::move(entry));
+  if (write.volume.companions.color)
+    write.metadata.emplace_back("lascaux_colors", model.colors ? "drawing" : "parts");
   write.name = SketchName(job.sketch);
   WriteOutputs(model, job.targets, write, execution);
   return model;

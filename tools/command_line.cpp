@@ -22,6 +22,7 @@ Examples:
   lascaux build *.svg -o 'out/{}.stl' --report 'out/{}.json'
   lascaux build cat.svg -o cat.stl --size 80 --resolution 512
   lascaux build cat.svg -o cat.3mf --size 120 --base --min-wall 1.2 --hollow 2
+  lascaux build cat.svg -o cat.png --material drawing
   lascaux inspect cat.svg -o parse.svg
   lascaux build photo.jpg -o cat.stl
   lascaux build cat.svg -o cat.vdb --for blender --color
@@ -166,6 +167,7 @@ void AddBuild(CLI::App& app, CommandLine& line) {
   AddViews(app, pipeline.preview.views);
   AddPictureSize(app, "--picture-size", pipeline.preview.render);
   AddBackground(app, pipeline.preview.render);
+  AddMaterial(app, pipeline.preview.render);
   app.add_option("--report", options.reports, "Writes the report, whatever the file's ending")
       ->type_name("FILE")
       ->take_all()

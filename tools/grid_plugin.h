@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <vector>
 
@@ -23,8 +24,9 @@ namespace lascaux {
 struct GridPlugin {
   Diagnostics (*write_vdb)(const std::filesystem::path& path, const ModelVolume& volume,
                            const WriteVdbOptions& options, const Execution& execution);
-  /// A picture for each of the options.
-  Outcome<std::vector<Picture>> (*render)(const NarrowBand& band,
+  /// A picture for each of the options. Material::kParts shows the palette, linear.
+  Outcome<std::vector<Picture>> (*render)(const ModelVolume& model,
+                                          const std::vector<std::array<float, 3>>& palette,
                                           const std::vector<RenderOptions>& options,
                                           const Execution& execution);
   Outcome<PreparedPrint> (*prepare_print)(const NarrowBand& band, const Mesh& mesh,

@@ -11,12 +11,14 @@
 #include "lascaux/field/field.h"
 #include "lascaux/skeleton/creature.h"
 #include "lascaux/skeleton/skeleton.h"
+#include "lascaux/sketch/bitmap.h"
 #include "lascaux/sketch/depth_graph.h"
 #include "lascaux/sketch/parts.h"
 #include "lascaux/sketch/planar_map.h"
 #include "lascaux/sketch/sketch.h"
 #include "lascaux/sketch/trace_picture.h"
 #include "lascaux/volume/check_mesh.h"
+#include "lascaux/volume/drawing_colors.h"
 #include "lascaux/volume/fidelity.h"
 #include "lascaux/volume/mesh.h"
 #include "lascaux/volume/mesh_details.h"
@@ -48,6 +50,7 @@ struct Model {
   std::string file;  ///< the sketch as named on the command line
   std::optional<Sketch> sketch;
   std::optional<TraceFacts> trace;  ///< of a picture
+  std::optional<Bitmap> picture;    ///< kept when its colours are asked for
   std::optional<PlanarMap> map;
   std::optional<Parts> parts;
   std::optional<DepthGraph> graph;
@@ -60,8 +63,9 @@ struct Model {
   std::optional<GridFacts> grid_facts;
   std::optional<Mesh> mesh;
   std::optional<MeshFacts> facts;
-  std::optional<MeshDetails> details;  ///< made when an output holds them
-  std::optional<PrintFacts> print;     ///< measured for outputs that are printed and for reports
+  std::optional<MeshDetails> details;   ///< made when an output holds them
+  std::optional<DrawingColors> colors;  ///< the drawing's, if it has any and they are asked for
+  std::optional<PrintFacts> print;      ///< measured for outputs that are printed and for reports
   std::optional<PrintRecord> print_record;  ///< when it was asked to be changed for printing
   std::optional<Fidelity> fidelity;
   std::optional<Picture> preview;

@@ -88,4 +88,13 @@ void AddBackground(CLI::App& app, RenderOptions& render) {
       ->type_name("WHAT");
 }
 
+void AddMaterial(CLI::App& app, RenderOptions& render) {
+  app.add_option("--material", render.material,
+                 "clay (default), drawing (the colours that the drawing is painted in), or parts "
+                 "(a colour for each part)")
+      ->transform(CLI::Transformer(std::map<std::string, Material>{
+          {"clay", Material::kClay}, {"drawing", Material::kDrawing}, {"parts", Material::kParts}}))
+      ->type_name("WHAT");
+}
+
 }  // namespace lascaux

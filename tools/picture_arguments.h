@@ -28,6 +28,9 @@ CLI::Option* AddPictureSize(CLI::App& app, const std::string& name, RenderOption
 /// Adds --background.
 void AddBackground(CLI::App& app, RenderOptions& render);
 
+/// Adds --material.
+void AddMaterial(CLI::App& app, RenderOptions& render);
+
 /// Linear light of a colour as written in HTML, "#rgb" or "#rrggbb" in sRGB; nothing for other
 /// texts.
 std::optional<std::array<float, 3>> ReadColor(const std::string& text);

@@ -42,6 +42,7 @@ void AddRender(CLI::App& app, RenderCommandOptions& options, int& threads) {
       ->type_name("N");
   AddPictureSize(app, "--size", options.render)->excludes("--width")->excludes("--height");
   AddBackground(app, options.render);
+  AddMaterial(app, options.render);
   app.add_option("--grid", options.grid, "Name of the level set (default surface, or the first)")
       ->type_name("NAME");
   app.add_option("--threads", threads, "Worker threads (default: all)")

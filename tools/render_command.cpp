@@ -4,13 +4,16 @@
 
 #include <algorithm>
 #include <optional>
+#include <sstream>
 #include <string_view>
 #include <utility>
 
 #include "lascaux/io/output_file.h"
 #include "lascaux/io/read_file.h"
+#include "lascaux/io/read_picture.h"
 #include "lascaux/io/read_vdb.h"
 #include "lascaux/volume/render.h"
+#include "mesh_details_of.h"
 #include "output_plan.h"
 #include "picture_file.h"
 #include "progress.h"
@@ -81,13 +84,30 @@ std::vector<RenderOptions> Shots(const RenderCommandOptions& options, const Rend
   return shots;
 }
 
+/// Whether bytes are a picture or begin like an SVG file.
+bool IsDrawing(std::string_view bytes) {
+  constexpr std::size_t kBeginning = 4096;
+  return IsPicture(bytes) || bytes.substr(0, kBeginning).find("<svg") != std::string_view::npos;
+}
+
+/// What a file says under a name; empty for nothing.
+std::string TextOf(const openvdb::MetaMap& metadata, const char* name) {
+  const auto text = metadata.getMetadata<openvdb::StringMetadata>(name);
+  return text ? text->value() : std::string();
+}
+
 /// Where the file says that the head is.
 Head HeadOf(const openvdb::MetaMap& metadata) {
-  const auto head = metadata.getMetadata<openvdb::StringMetadata>("lascaux_head");
-  if (!head) return Head::kHigher;
-  return head->value() == "left"    ? Head::kLeft
-         : head->value() == "right" ? Head::kRight
-                                    : Head::kHigher;
+  const std::string head = TextOf(metadata, "lascaux_head");
+  return head == "left" ? Head::kLeft : head == "right" ? Head::kRight : Head::kHigher;
+}
+
+/// The names of the parts, in the order of their numbers.
+std::vector<std::string> PartNames(const openvdb::MetaMap& metadata) {
+  std::vector<std::string> names;
+  std::istringstream list(TextOf(metadata, "lascaux_parts"));
+  for (std::string name; std::getline(list, name, ',');) names.push_back(name);
+  return names;
 }
 
 /// One call, from the first model to the last file.
@@ -105,14 +125,31 @@ class Job {
     if (progress) progress("drawing", 0);
     const auto bytes = ReadBytes(name).MoveInto(log);
     if (!bytes) return std::nullopt;
-    const auto model = ReadVdb(*bytes, {.grid = options_.grid}).MoveInto(log);
+    RenderOptions common = options_.render;
+    if (HasLayers(targets)) common.layers = Layers::kAll;
+    if (IsDrawing(*bytes)) {
+      log.push_back(Error(FailureKind::kInput, "not-vdb",
+                          fmt::format("a drawing, not a level set; 'lascaux build {} -o FILE.png' "
+                                      "draws its model",
+                                      name)));
+      return std::nullopt;
+    }
+    const bool colors = common.material != Material::kClay || common.layers == Layers::kAll;
+    const auto model = ReadVdb(*bytes, {.grid = options_.grid, .colors = colors}).MoveInto(log);
     if (!model) return std::nullopt;
     std::vector<Picture> pictures;
-    RenderOptions common = options_.render;
     common.head = HeadOf(model->metadata);
-    if (HasLayers(targets)) common.layers = Layers::kAll;
+    if (common.material == Material::kDrawing &&
+        TextOf(model->metadata, "lascaux_colors") == "parts") {
+      log.push_back(Warning("no-colors",
+                            "the drawing that this was built from has no colours, the picture "
+                            "shows clay; take --material parts"));
+      common.material = Material::kClay;
+    }
+    const ShownModel shown{model->surface, model->color, model->part,
+                           PaletteOf(PartNames(model->metadata))};
     for (const RenderOptions& shot : Shots(options_, common)) {
-      auto picture = Render(*model->surface, shot, execution_).MoveInto(log);
+      auto picture = Render(shown, shot, execution_).MoveInto(log);
       if (!picture) return std::nullopt;
       pictures.push_back(*std::move(picture));
     }

@@ -23,6 +23,12 @@
 namespace lascaux {
 namespace {
 
+Diagnostic NoColors() {
+  return Warning("no-colors",
+                 "the drawing has no colours, the picture shows clay; fill the drawing's areas, or "
+                 "take --material parts");
+}
+
 /// A run: each step returns false when the run is over.
 class Run {
  public:
@@ -73,6 +79,7 @@ class Run {
     if (!Keep(TracePicture(*picture, options_.trace, execution_), traced)) return false;
     model_.sketch = std::move(traced->sketch);
     model_.trace = traced->facts;
+    if (options_.details) model_.picture = std::move(picture);
     return true;
   }
 
@@ -209,6 +216,8 @@ class Run {
   void AddDetails(Timings& timings) {
     const Stopwatch watch(timings, "details");
     model_.details = MeshDetailsOf(model_, execution_);
+    model_.colors = DrawingColorsOf(model_, execution_);
+    if (model_.colors) Paint(*model_.colors, *model_.mesh, *model_.details);
   }
 
   void MeasurePrint(Timings& timings) {
@@ -229,10 +238,24 @@ class Run {
     if (head == HeadEnd::kRight) options.head = Head::kRight;
     if (head == HeadEnd::kLeft) options.head = Head::kLeft;
     std::vector<RenderOptions> shots;
+    if (options.material == Material::kDrawing && !model_.colors) {
+      model_.diagnostics.push_back(NoColors());
+      options.material = Material::kClay;
+    }
     for (const View view : options_.preview.views) shots.emplace_back(options).view = view;
+    const std::vector<MeshPart> parts = FieldPartsOf(model_);
+    std::vector<std::string> names;
+    for (const MeshPart& part : parts) names.push_back(part.name);
+    const ModelVolume volume{model_.grid->surface,
+                             *model_.field,
+                             parts,
+                             model_.lift,
+                             {},
+                             UpAxis::kY,
+                             model_.colors ? &*model_.colors : nullptr};
     const auto& plugin = LoadGridPlugin();
     std::vector<Picture> pictures;
-    if (!(plugin ? Keep((*plugin)->render(model_.grid->surface, shots, execution_), pictures)
+    if (!(plugin ? Keep((*plugin)->render(volume, PaletteOf(names), shots, execution_), pictures)
                  : Keep(Outcome<std::vector<Picture>>::Failure(plugin.diagnostics()), pictures))) {
       return false;
     }

@@ -57,7 +57,7 @@ struct PipelineOptions {
   PreviewOptions preview;
   LastStage last = LastStage::kMesh;
   bool compare = true;          ///< the mesh with the drawing
-  bool details = false;         ///< normals and parts of the mesh, for the formats that hold them
+  bool details = false;         ///< normals, parts and colours of the mesh, for what shows them
   bool print_facts = false;     ///< walls and stability, for the report
   bool print_warnings = false;  ///< and warnings of what does not print well
 

@@ -43,7 +43,7 @@ void AddVolume(CLI::App& app, WriteOptions& options) {
       "--fog", [&companions] { companions.fog = true; }, "A fog volume in the .vdb, too: density");
   app.add_flag_callback(
       "--color", [&companions] { companions.color = true; },
-      "The parts' colours and numbers in the .vdb, too: Cd, part");
+      "Colours, the drawing's or the parts', and numbers of parts in the .vdb, too: Cd, part");
   app.add_flag_callback(
       "--half", [&options] { options.volume.floats = VdbFloats::kHalf; },
       "Floats of 16 bits in the .vdb: smaller, distances within 1/2048 of themselves");

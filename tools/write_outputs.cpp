@@ -96,8 +96,13 @@ struct Writer {
       const NarrowBand& surface = model.grid->surface;
       return WriteBandVdb(path, volume.up == UpAxis::kY ? surface : TurnedZUp(surface), file);
     }
-    const ModelVolume contents{model.grid->surface, *model.field,      parts,
-                               model.lift,          volume.companions, volume.up};
+    const ModelVolume contents{model.grid->surface,
+                               *model.field,
+                               parts,
+                               model.lift,
+                               volume.companions,
+                               volume.up,
+                               model.colors ? &*model.colors : nullptr};
     const auto& plugin = LoadGridPlugin();
     return plugin ? (*plugin)->write_vdb(path, contents, file, execution) : plugin.diagnostics();
   }

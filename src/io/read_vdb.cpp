@@ -14,7 +14,7 @@
 namespace lascaux {
 namespace {
 
-constexpr std::string_view kPreferred = "surface";
+constexpr std::string_view kPreferred = "surface", kColorGrid = "Cd", kPartGrid = "part";
 /// Scales along the axes may differ by this much, relative to themselves: float32 metadata.
 constexpr double kSameScale = 1e-5;
 /// Along a side; four times what a build makes at most. Far more is damage, not a model.
@@ -104,21 +104,39 @@ bool HoldsDistances(const openvdb::FloatGrid& grid) {
   return true;
 }
 
-/// The same level set with z, which was up, on y: (x, y, z) becomes (x, z, -y).
-openvdb::FloatGrid::Ptr WithYUp(const openvdb::FloatGrid& grid) {
-  const auto turned = openvdb::FloatGrid::create(grid.background());
+/// The same active voxels with z, which was up, on y: (x, y, z) becomes (x, z, -y).
+template <typename Grid>
+typename Grid::Ptr WithYUp(const Grid& grid) {
+  const auto turned = Grid::create(grid.background());
   auto accessor = turned->getAccessor();
   for (auto value = grid.cbeginValueOn(); value; ++value) {
     const openvdb::Coord c = value.getCoord();
     accessor.setValue({c.x(), c.z(), -c.y()}, *value);
   }
-  openvdb::tools::signedFloodFill(turned->tree());
   const openvdb::Vec3d origin = grid.indexToWorld(openvdb::Vec3d(0));
   turned->setTransform(openvdb::math::Transform::createLinearTransform(grid.voxelSize().x()));
   turned->transform().postTranslate({origin.x(), origin.z(), -origin.y()});
   turned->setName(grid.getName());
   turned->setGridClass(grid.getGridClass());
   return turned;
+}
+
+bool IsColor(const VdbEntry& entry) {
+  return entry.name == kColorGrid && entry.grid->isType<openvdb::Vec3SGrid>();
+}
+bool IsPart(const VdbEntry& entry) {
+  return entry.name == kPartGrid && entry.grid->isType<openvdb::FloatGrid>();
+}
+
+/// The first grid of this name and type that was read; nullptr if there is none, or none with one
+/// scale.
+template <typename Grid>
+typename Grid::Ptr GridNamed(const VdbContents& contents, std::string_view name) {
+  for (const VdbEntry& entry : contents.entries) {
+    if (entry.name != name || !entry.grid || !entry.grid->isType<Grid>()) continue;
+    return HasOneScale(entry.grid->transform()) ? openvdb::gridPtrCast<Grid>(entry.grid) : nullptr;
+  }
+  return nullptr;
 }
 
 bool IsZUp(const openvdb::MetaMap& metadata) {
@@ -128,6 +146,7 @@ bool IsZUp(const openvdb::MetaMap& metadata) {
 
 Result Read(std::string_view bytes, const ReadVdbOptions& options) {
   VdbContents contents = ReadVdbContents(bytes, [&](const VdbEntry& entry) {
+    if (options.colors && (IsColor(entry) || IsPart(entry))) return true;
     return entry.grid->isType<openvdb::FloatGrid>() &&
            (options.grid.empty() || entry.name == options.grid);
   });
@@ -157,8 +176,15 @@ Result Read(std::string_view bytes, const ReadVdbOptions& options) {
                                          "resample it to fewer",
                                          name, extent.x(), extent.y(), extent.z(), kMostVoxels));
   }
-  if (IsZUp(contents.metadata)) grid = WithYUp(*grid);
-  return VdbModel{std::move(grid), std::move(contents.metadata)};
+  VdbModel model{std::move(grid), GridNamed<openvdb::Vec3SGrid>(contents, kColorGrid),
+                 GridNamed<openvdb::FloatGrid>(contents, kPartGrid), std::move(contents.metadata)};
+  if (IsZUp(model.metadata)) {
+    model.surface = WithYUp(*model.surface);
+    openvdb::tools::signedFloodFill(model.surface->tree());
+    if (model.color) model.color = WithYUp(*model.color);
+    if (model.part) model.part = WithYUp(*model.part);
+  }
+  return model;
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ Diagnostics WriteExr(const std::filesystem::path& path, const Picture& picture) 
   channels.Add(picture.rgba, {"R", "G", "B", "A"});
   channels.Add(picture.depth, {"Z"});
   channels.Add(picture.normal, {"N.X", "N.Y", "N.Z"});
-  channels.Add(picture.part, {"part"});
+  channels.Add(picture.part, {"id"});
   const std::vector<float> pixels = channels.Interleaved();
   const LascauxLayers plain{picture.width, picture.height,
                             static_cast<int32_t>(channels.names().size()), channels.names().data(),

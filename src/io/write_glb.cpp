@@ -73,16 +73,16 @@ int AddPositions(Buffer& buffer, const std::vector<Eigen::Vector3f>& vertices) {
 
 /// Linear colours, 16 bits a channel: 8 would show steps in the dark ones.
 int AddColors(Buffer& buffer, const MeshDetails& details) {
-  std::vector<std::array<std::uint16_t, 4>> palette;
-  for (const MeshPart& part : details.parts) {
-    std::array<std::uint16_t, 4>& entry = palette.emplace_back();
-    entry[3] = 65535;
-    for (std::size_t k = 0; k < 3; ++k)
-      entry[k] = static_cast<std::uint16_t>(65535 * LinearFromSrgb(part.color[k]) + 0.5F);
-  }
+  std::array<std::uint16_t, 256> linear;
+  for (std::size_t i = 0; i < linear.size(); ++i)
+    linear[i] =
+        static_cast<std::uint16_t>(65535 * LinearFromSrgb(static_cast<std::uint8_t>(i)) + 0.5F);
   std::vector<std::array<std::uint16_t, 4>> colors;
   colors.reserve(details.vertex_parts.size());
-  for (const std::uint16_t part : details.vertex_parts) colors.push_back(palette[part]);
+  for (std::size_t i = 0; i < details.vertex_parts.size(); ++i) {
+    const auto& [r, g, b] = details.ColorOf(i);
+    colors.push_back({linear[r], linear[g], linear[b], 65535});
+  }
   return buffer.Add(colors, kArrayBuffer,
                     {{"componentType", kUnsignedShort},
                      {"normalized", true},

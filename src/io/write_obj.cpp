@@ -23,8 +23,7 @@ void AddVertices(TextBatch& text, const std::vector<Eigen::Vector3f>& vertices,
     text << "v " << vertices[i].x() << ' ' << vertices[i].y() << ' ' << vertices[i].z();
     if (!details.vertex_parts.empty()) {
       // Three digits tell 256 values apart.
-      for (const std::uint8_t c : details.parts[details.vertex_parts[i]].color)
-        text << ' ' << std::round(c / 0.255) / 1000;
+      for (const std::uint8_t c : details.ColorOf(i)) text << ' ' << std::round(c / 0.255) / 1000;
     }
     text << '\n';
   }

@@ -71,7 +71,7 @@ Diagnostics WritePly(const std::filesystem::path& path, const Mesh& mesh,
     batch.Append(normals[i].data(), 3);
     if (details.vertex_parts.empty()) continue;
     const std::uint16_t part = details.vertex_parts[i];
-    batch.Append(details.parts[part].color.data(), 3);
+    batch.Append(details.ColorOf(i).data(), 3);
     batch.Append(&part, 1);
   }
   for (const auto& triangle : mesh.triangles) {

@@ -70,11 +70,16 @@ void AddFaces(TextBatch& text, const Mesh& mesh) {
 }
 
 void AddColors(TextBatch& text, const MeshDetails& details) {
+  const auto add = [&text](const Srgb8& c) {
+    text << Eigen::Vector3f(LinearFromSrgb(c[0]), LinearFromSrgb(c[1]), LinearFromSrgb(c[2]));
+  };
   text << "        color3f[] primvars:displayColor = ";
-  AddList(text, details.parts, [&](const MeshPart& part) {
-    text << Eigen::Vector3f(LinearFromSrgb(part.color[0]), LinearFromSrgb(part.color[1]),
-                            LinearFromSrgb(part.color[2]));
-  });
+  if (!details.vertex_colors.empty()) {
+    AddList(text, details.vertex_colors, add);
+    text << " (\n            interpolation = \"vertex\"\n        )\n";
+    return;
+  }
+  AddList(text, details.parts, [&](const MeshPart& part) { add(part.color); });
   text << " (\n            interpolation = \"uniform\"\n        )\n";
   text << "        int[] primvars:displayColor:indices = ";
   AddList(text, details.triangle_parts, [&](std::uint16_t part) { text << part; });

@@ -11,13 +11,13 @@ namespace {
 constexpr double kLightness = 0.76, kChroma = 0.095;       // inside the sRGB gamut at every hue
 constexpr double kFirstHue = 65 * std::numbers::pi / 180;  // clay
 
-std::uint8_t SrgbFromLinear(double value) {
+}  // namespace
+
+std::uint8_t SrgbFromLinear(double value) noexcept {
   const double v = std::clamp(value, 0.0, 1.0);
   const double encoded = v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
   return static_cast<std::uint8_t>(std::lround(255 * encoded));
 }
-
-}  // namespace
 
 float LinearFromSrgb(std::uint8_t value) noexcept {
   const double v = value / 255.0;

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 #include <openvdb/tools/LevelSetUtil.h>
+#include <openvdb/tree/LeafManager.h>
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <set>
 #include <string>
 #include <string_view>
@@ -49,18 +51,49 @@ void ForEachValue(Grid& grid, Use&& use) {
   for (auto value = grid.beginValueOn(); value; ++value) use(value, i++);
 }
 
-/// The part of each active value of `places`.
-std::vector<std::uint16_t> PartsAt(openvdb::BoolGrid& places, const ModelVolume& model,
-                                   const Execution& execution) {
-  std::vector<Eigen::Vector3f> points;
+using Places = std::vector<Eigen::Vector3f>;
+
+/// Where the active values of `places` are, in the model's axes.
+Places PlacesOf(openvdb::BoolGrid& places, const ModelVolume& model) {
+  Places points;
   ForEachValue(places, [&](const auto& value, std::size_t) {
     const openvdb::Vec3d p = places.indexToWorld(value.getBoundingBox().getCenter());
     points.push_back(ToModelAxes({p.x(), p.y(), p.z()}, model.up).template cast<float>());
   });
+  return points;
+}
+
+std::vector<std::uint16_t> PartsAt(const Places& places, const ModelVolume& model,
+                                   const Execution& execution) {
   std::vector<std::uint16_t> parts =
-      PartOfPoints(model.field, points, {0, -model.lift, 0}, execution);
+      PartOfPoints(model.field, places, {0, -model.lift, 0}, execution);
   std::replace(parts.begin(), parts.end(), kNoPart, std::uint16_t{0});
   return parts;
+}
+
+/// The colours and parts of the active values of `places`.
+ColorGrids ColorsAt(openvdb::BoolGrid& places, const ModelVolume& model,
+                    const Execution& execution) {
+  const Places at = PlacesOf(places, model);
+  const std::vector<std::uint16_t> parts = PartsAt(at, model, execution);
+  const auto color = Beside<Vec3SGrid>(places, openvdb::Vec3f(0));
+  ForEachValue(*color, [&](const auto& value, std::size_t i) {
+    if (model.colors != nullptr) {
+      const Eigen::Array3f c = model.colors->At(parts[i], at[i].x(), at[i].y());
+      value.setValue({c[0], c[1], c[2]});
+    } else {
+      const Srgb8& srgb = model.parts[parts[i]].color;
+      value.setValue({LinearFromSrgb(srgb[0]), LinearFromSrgb(srgb[1]), LinearFromSrgb(srgb[2])});
+    }
+  });
+  color->setName("Cd");
+  color->setVectorType(openvdb::VEC_INVARIANT);
+  const auto index = Beside<openvdb::FloatGrid>(places, -1);
+  ForEachValue(*index, [&](const auto& value, std::size_t i) {
+    value.setValue(static_cast<float>(parts[i]));
+  });
+  index->setName("part");
+  return {color, index};
 }
 
 void AddColors(const openvdb::FloatGrid& surface, const ModelVolume& model,
@@ -68,21 +101,9 @@ void AddColors(const openvdb::FloatGrid& surface, const ModelVolume& model,
   const openvdb::BoolGrid::Ptr places = openvdb::tools::sdfInteriorMask(surface);
   places->tree().topologyUnion(surface.tree());
   places->setTransform(surface.transform().copy());
-  const std::vector<std::uint16_t> parts = PartsAt(*places, model, execution);
-  const auto color = Beside<Vec3SGrid>(*places, openvdb::Vec3f(0));
-  ForEachValue(*color, [&](const auto& value, std::size_t i) {
-    const Srgb8& srgb = model.parts[parts[i]].color;
-    value.setValue({LinearFromSrgb(srgb[0]), LinearFromSrgb(srgb[1]), LinearFromSrgb(srgb[2])});
-  });
-  color->setName("Cd");
-  color->setVectorType(openvdb::VEC_INVARIANT);
-  const auto index = Beside<openvdb::FloatGrid>(*places, -1);
-  ForEachValue(*index, [&](const auto& value, std::size_t i) {
-    value.setValue(static_cast<float>(parts[i]));
-  });
-  index->setName("part");
-  grids.push_back(color);
-  grids.push_back(index);
+  const ColorGrids found = ColorsAt(*places, model, execution);
+  grids.push_back(found.color);
+  grids.push_back(found.part);
 }
 
 std::string GridName(std::string_view part, std::set<std::string>& used) {
@@ -119,6 +140,28 @@ Outcome<openvdb::FloatGrid::Ptr> PartLevelSet(const ModelVolume& model, std::siz
 }
 
 }  // namespace
+
+ColorGrids ColorsBesideSurface(const openvdb::FloatGrid& surface, const ModelVolume& model,
+                               const Execution& execution) {
+  // All corners of a cell that the surface runs through are within its diagonal.
+  const auto near = static_cast<float>(1.75 * surface.voxelSize().x());
+  const auto places = openvdb::BoolGrid::create(false);
+  places->setTransform(surface.transform().copy());
+  ColorGrids grids;
+  RunInArena(execution, [&] {
+    places->tree().topologyUnion(surface.tree());
+    openvdb::tree::LeafManager<openvdb::BoolTree> leaves(places->tree());
+    leaves.foreach ([&](openvdb::BoolTree::LeafNodeType& leaf, std::size_t) {
+      const auto* const distances = surface.tree().probeConstLeaf(leaf.origin());
+      for (auto on = leaf.beginValueOn(); on; ++on) {
+        if (distances == nullptr || std::abs(distances->getValue(on.pos())) > near)
+          leaf.setValueOff(on.pos());
+      }
+    });
+    grids = ColorsAt(*places, model, execution);
+  });
+  return grids;
+}
 
 Outcome<Grids> VolumeGrids(const ModelVolume& model, const Execution& execution) {
   assert(model.parts.size() == model.field.parts.size());

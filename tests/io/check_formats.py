@@ -124,7 +124,7 @@ def check_png(path):
 def check_exr(path):
     text = run("iinfo", "-v", str(path))
     assert "40 x   30, 9 channel" in text, text
-    assert ("R (half), G (half), B (half), A (half), Z (float), part (float), "
+    assert ("R (half), G (half), B (half), A (half), Z (float), id (float), "
             "N.X (half), N.Y (half), N.Z (half)") in text, text
     data = run("oiiotool", "--dumpdata", str(path))
     pixels = re.findall(r"Pixel \((\d+), (\d+)\):([^\n]*)", data)

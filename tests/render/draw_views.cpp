@@ -33,7 +33,7 @@ int main(int argc, char** argv) {
     options.view = view;
     const auto begin = std::chrono::steady_clock::now();
     const std::clock_t cpu_begin = std::clock();
-    const auto image = Render(*grid, options);
+    const auto image = Render({grid}, options);
     const double cpu = 1e3 * static_cast<double>(std::clock() - cpu_begin) / CLOCKS_PER_SEC;
     const std::chrono::duration<double, std::milli> wall = std::chrono::steady_clock::now() - begin;
     std::printf("%s: %.1f ms, %.1f ms of processors\n", name, wall.count(), cpu);

@@ -54,15 +54,15 @@ Box ModelBox(const Image& image) {
   return box;
 }
 
-Image Picture(const openvdb::FloatGrid& grid, const RenderOptions& options = {}) {
-  const auto picture = Render(grid, options);
+Image Picture(const openvdb::FloatGrid::Ptr& grid, const RenderOptions& options = {}) {
+  const auto picture = Render({grid}, options);
   EXPECT_TRUE(picture.ok());
   return ToImage(*picture);
 }
 
 TEST(Render, ASphereIsADiscInTheMiddle) {
   for (const View view : {View::kSide, View::kFront, View::kThreeQuarter, View::kTop}) {
-    const Image image = Picture(*Sphere(), {.view = view});
+    const Image image = Picture(Sphere(), {.view = view});
     const Box box = ModelBox(image);
     const double width = box.right - box.left + 1, height = box.bottom - box.top + 1;
     EXPECT_NEAR(width, 0.8 * 512, 12);
@@ -76,7 +76,7 @@ TEST(Render, TheModelFillsTheFrameFromEverySide) {
   const auto grid = SmallAnimal();
   for (const auto& [width, height] : {std::pair{256, 256}, {384, 128}, {100, 300}}) {
     for (const View view : {View::kSide, View::kFront, View::kThreeQuarter, View::kTop}) {
-      const Box box = ModelBox(Picture(*grid, {.width = width, .height = height, .view = view}));
+      const Box box = ModelBox(Picture(grid, {.width = width, .height = height, .view = view}));
       const double across = static_cast<double>(box.right - box.left + 1) / width;
       const double down = static_cast<double>(box.bottom - box.top + 1) / height;
       EXPECT_NEAR(std::max(across, down), 0.8, 0.05);
@@ -86,7 +86,7 @@ TEST(Render, TheModelFillsTheFrameFromEverySide) {
 }
 
 TEST(Render, LightComesFromTheUpperLeftAndShadowFallsOnPaleGround) {
-  const Image image = Picture(*Sphere());
+  const Image image = Picture(Sphere());
   EXPECT_GT(Pixel(image, 180, 180)[1], Pixel(image, 350, 370)[1] + 40);
   for (const int corner : {0, 511}) EXPECT_GT(Pixel(image, corner, 0)[1], 200);
   const Box box = ModelBox(image);
@@ -96,7 +96,7 @@ TEST(Render, LightComesFromTheUpperLeftAndShadowFallsOnPaleGround) {
 
 TEST(Render, OutlinesAreSmooth) {
   // On a row through the disc's flank, most outline pixels have a shade between paper and clay.
-  const Image image = Picture(*Sphere(), {.width = 256, .height = 256});
+  const Image image = Picture(Sphere(), {.width = 256, .height = 256});
   int rows = 0, between = 0;
   for (int y = 60; y < 120; ++y) {
     int x = 0;
@@ -115,7 +115,7 @@ TEST(Render, OutlinesAreSmooth) {
 }
 
 TEST(Render, ThreeQuarterViewsShowTheHeadWhereverItLooks) {
-  const Image right = Picture(*SmallAnimal()), left = Picture(*AnimalTurned(80));
+  const Image right = Picture(SmallAnimal()), left = Picture(AnimalTurned(80));
   int different = 0, model = 0;
   for (int y = 0; y < right.height; ++y) {
     for (int x = 0; x < right.width; ++x) {
@@ -128,20 +128,20 @@ TEST(Render, ThreeQuarterViewsShowTheHeadWhereverItLooks) {
 
 TEST(Render, TheHeadIsWhereTheOptionsSay) {
   const auto grid = SmallAnimal();
-  const Image guess = Picture(*grid);
-  EXPECT_TRUE(guess == Picture(*grid, {.head = Head::kRight}));
-  EXPECT_FALSE(guess == Picture(*grid, {.head = Head::kLeft}));
+  const Image guess = Picture(grid);
+  EXPECT_TRUE(guess == Picture(grid, {.head = Head::kRight}));
+  EXPECT_FALSE(guess == Picture(grid, {.head = Head::kLeft}));
 }
 
 TEST(Render, TheUnitDoesNotMatter) {
   const auto grid = SmallAnimal();
-  const Image expected = Picture(*grid);
+  const Image expected = Picture(grid);
   const auto scaled = grid->deepCopy();
   constexpr float kFactor = 0.001F;
   scaled->transform().postScale(kFactor);
   for (auto value = scaled->beginValueAll(); value; ++value) value.setValue(kFactor * *value);
   scaled->tree().root().setBackground(kFactor * grid->background(), /*updateChildNodes=*/false);
-  const Image image = Picture(*scaled);
+  const Image image = Picture(scaled);
   int largest = 0;
   for (std::size_t i = 0; i < image.rgba.size(); ++i) {
     largest = std::max(largest, std::abs(image.rgba[i] - expected.rgba[i]));
@@ -153,21 +153,21 @@ TEST(Render, TheSameBytesForAnyNumberOfThreads) {
   const auto grid = SmallAnimal();
   Execution execution;
   execution.threads = 1;
-  const auto expected = Render(*grid, {}, execution);
+  const auto expected = Render({grid}, {}, execution);
   for (const int threads : {2, 4}) {
     execution.threads = threads;
-    EXPECT_TRUE(*Render(*grid, {}, execution) == *expected) << threads;
+    EXPECT_TRUE(*Render({grid}, {}, execution) == *expected) << threads;
   }
 }
 
 TEST(Render, OnePixelIsAPicture) {
-  const Image image = Picture(*Sphere(), {.width = 1, .height = 1});
+  const Image image = Picture(Sphere(), {.width = 1, .height = 1});
   EXPECT_EQ(image.rgba.size(), 4U);
 }
 
 TEST(Render, AnEmptyGridIsAnError) {
   openvdb::initialize();
-  const auto image = Render(*openvdb::createLevelSet<openvdb::FloatGrid>(1.0));
+  const auto image = Render({openvdb::createLevelSet<openvdb::FloatGrid>(1.0)});
   ASSERT_FALSE(image.ok());
   EXPECT_EQ(image.diagnostics()[0].code, "empty-grid");
 }
@@ -175,7 +175,7 @@ TEST(Render, AnEmptyGridIsAnError) {
 #if !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)  // which end the program instead
 TEST(Render, APictureThatDoesNotFitIntoMemoryIsAnError) {
-  const auto image = Render(*Sphere(), {.width = 1'000'000, .height = 1'000'000});
+  const auto image = Render({Sphere()}, {.width = 1'000'000, .height = 1'000'000});
   ASSERT_FALSE(image.ok());
   EXPECT_EQ(image.diagnostics()[0].code, "out-of-memory");
 }
@@ -185,7 +185,7 @@ TEST(Render, ACancelledRunIsAnError) {
   const std::atomic<bool> cancel = true;
   Execution execution;
   execution.cancel = &cancel;
-  const auto image = Render(*Sphere(), {}, execution);
+  const auto image = Render({Sphere()}, {}, execution);
   ASSERT_FALSE(image.ok());
   EXPECT_EQ(image.diagnostics()[0].code, "cancelled");
   EXPECT_EQ(image.diagnostics()[0].failure, FailureKind::kInterrupted);

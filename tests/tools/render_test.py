@@ -145,7 +145,7 @@ class RenderTest(ProgramTest):
         self.draw("-o", self.folder / "a.exr")
         text = subprocess.run(["iinfo", "-v", str(self.folder / "a.exr")], capture_output=True,
                               text=True, check=True).stdout
-        for channel in ("R (half)", "A (half)", "Z (float)", "N.X (half)", "N.Z (half)"):
+        for channel in ("R (half)", "A (half)", "Z (float)", "id (float)", "N.X (half)", "N.Z (half)"):
             self.assertIn(channel, text)
         self.draw("-o", self.folder / "b.exr", "--threads", 1)
         same = subprocess.run(["idiff", str(self.folder / "a.exr"), str(self.folder / "b.exr")],

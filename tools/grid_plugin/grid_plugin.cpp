@@ -1,5 +1,6 @@
 #include "grid_plugin.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "lascaux/io/write_vdb.h"
@@ -20,14 +21,24 @@ Diagnostics WriteVolume(const std::filesystem::path& path, const ModelVolume& vo
   return log;
 }
 
-Outcome<std::vector<Picture>> RenderBand(const NarrowBand& band,
-                                         const std::vector<RenderOptions>& options,
-                                         const Execution& execution) {
-  const auto grid = ToLevelSet(band, execution);
+Outcome<std::vector<Picture>> RenderModel(const ModelVolume& model,
+                                          const std::vector<std::array<float, 3>>& palette,
+                                          const std::vector<RenderOptions>& options,
+                                          const Execution& execution) {
+  const auto surface = ToLevelSet(model.surface, execution);
+  ShownModel shown{surface, nullptr, nullptr, palette};
+  const auto needs_colors = [](const RenderOptions& o) {
+    return o.material != Material::kClay || o.layers == Layers::kAll;
+  };
+  if (std::any_of(options.begin(), options.end(), needs_colors)) {
+    const ColorGrids grids = ColorsBesideSurface(*surface, model, execution);
+    shown.color = grids.color;
+    shown.part = grids.part;
+  }
   std::vector<Picture> pictures;
   Diagnostics log;
   for (const RenderOptions& one : options) {
-    auto picture = Render(*grid, one, execution).MoveInto(log);
+    auto picture = Render(shown, one, execution).MoveInto(log);
     if (!picture) return Outcome<std::vector<Picture>>::Failure(std::move(log));
     pictures.push_back(std::move(*picture));
   }
@@ -39,6 +50,6 @@ Outcome<std::vector<Picture>> RenderBand(const NarrowBand& band,
 
 extern "C" {
 __attribute__((visibility("default"))) extern const lascaux::GridPlugin lascaux_grid_plugin;
-const lascaux::GridPlugin lascaux_grid_plugin = {lascaux::WriteVolume, lascaux::RenderBand,
+const lascaux::GridPlugin lascaux_grid_plugin = {lascaux::WriteVolume, lascaux::RenderModel,
                                                  lascaux::PreparePrint, lascaux::RunRender};
 }

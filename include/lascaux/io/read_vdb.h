@@ -13,7 +13,8 @@
 namespace lascaux {
 
 struct ReadVdbOptions {
-  std::string grid;  ///< name of the level set; empty: "surface" or else the first
+  std::string grid;     ///< name of the level set; empty: "surface" or else the first
+  bool colors = false;  ///< the grids of colours and parts, too
 
   bool operator==(const ReadVdbOptions&) const = default;
 };
@@ -21,6 +22,8 @@ struct ReadVdbOptions {
 /// A level set, y up, with what its file says of it.
 struct VdbModel {
   openvdb::FloatGrid::Ptr surface;  ///< never empty
+  openvdb::Vec3SGrid::Ptr color;    ///< "Cd", if it was asked for and is there
+  openvdb::FloatGrid::Ptr part;     ///< "part", likewise
   openvdb::MetaMap metadata;        ///< the file's
 };
 

@@ -23,10 +23,10 @@ struct UsdaOptions : MeshFileOptions {
 
 /// Writes the mesh as a USD stage (the model's axes, `upAxis = "Y"`, `metersPerUnit` by the unit):
 /// `/NAME/mesh`, a polygon mesh that is not subdivided, with its extent, right-handed faces, vertex
-/// normals, `primvars:displayColor` (linear, a face) and a GeomSubset of faces for each part
-/// (family "parts"); and, if options.volume is not empty, `/NAME/volume`, a Volume whose fields
-/// "surface" and "density" are read from there. Its purpose is "guide", so that renderers don't
-/// draw the surface twice.
+/// normals, `primvars:displayColor` (linear; a face or, where there are colours of vertices, a
+/// vertex) and a GeomSubset of faces for each part (family "parts"); and, if options.volume is not
+/// empty, `/NAME/volume`, a Volume whose fields "surface" and "density" are read from there. Its
+/// purpose is "guide", so that renderers don't draw the surface twice.
 ///
 /// The mesh must have triangles. Numbers have the digits that read back as the same floats. Error:
 /// "cannot-write".

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,11 +32,26 @@ struct Stroke {
   bool operator==(const Stroke&) const = default;
 };
 
+/// What is inside of a filled shape (SVG's fill-rule).
+enum class FillRule : std::uint8_t { kNonZero, kEvenOdd };
+
+/// An area that is painted with a colour and hides what was painted before it.
+struct FilledArea {
+  std::vector<std::vector<CubicBezier>> outlines;  ///< closed by straight lines where they are open
+  FillRule rule = FillRule::kNonZero;
+  Color color{};
+
+  bool operator==(const FilledArea&) const = default;
+};
+
 /// A drawing. Sketch frame: x right, y down, in the root viewBox's user units.
 ///
 /// A stroke's index is its id from here to the report. Order is the order of drawing.
 struct Sketch {
   std::vector<Stroke> strokes;
+  /// In the order of painting, less those that are lines' ink. They colour the model and take no
+  /// part in its shape.
+  std::vector<FilledArea> areas = {};
 
   bool operator==(const Sketch&) const = default;
 };

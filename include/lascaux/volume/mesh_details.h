@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -17,6 +18,9 @@ using Srgb8 = std::array<std::uint8_t, 3>;
 /// The linear value, 0 to 1, of an 8-bit sRGB value (IEC 61966-2-1).
 float LinearFromSrgb(std::uint8_t value) noexcept;
 
+/// The nearest 8-bit sRGB value of a linear one.
+std::uint8_t SrgbFromLinear(double value) noexcept;
+
 /// A part of the model as people see it.
 struct MeshPart {
   std::string name;  ///< unique
@@ -31,6 +35,13 @@ struct MeshDetails {
   std::vector<MeshPart> parts;
   /// Index in `parts` of each vertex and of each triangle; empty where there are no parts.
   std::vector<std::uint16_t> vertex_parts, triangle_parts;
+  /// Of each vertex, where the drawing has colours; empty where parts have one each.
+  std::vector<Srgb8> vertex_colors = {};
+
+  /// Precondition: there are parts.
+  const Srgb8& ColorOf(std::size_t vertex) const noexcept {
+    return vertex_colors.empty() ? parts[vertex_parts[vertex]].color : vertex_colors[vertex];
+  }
 
   bool operator==(const MeshDetails&) const = default;
 };

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "lascaux/field/field.h"
+#include "lascaux/volume/drawing_colors.h"
 #include "lascaux/volume/mesh_details.h"
 #include "lascaux/volume/narrow_band.h"
 #include "lascaux/volume/up_axis.h"
@@ -28,7 +29,8 @@ struct ModelVolume {
   std::vector<MeshPart> parts;  ///< one for each of the field's
   double lift = 0;              ///< how far the surface lies above the field (y)
   Companions companions;
-  UpAxis up = UpAxis::kY;  ///< of the grids
+  UpAxis up = UpAxis::kY;                 ///< of the grids
+  const DrawingColors* colors = nullptr;  ///< instead of the parts' colours
 };
 
 }  // namespace lascaux

@@ -20,6 +20,10 @@ enum class Head : std::uint8_t { kHigher, kRight, kLeft };
 /// colour, opaque. kTransparent: nothing; the shadow is black of some alpha, to lie on any page.
 enum class Backdrop : std::uint8_t { kStudio, kTransparent, kColor };
 
+/// What the model is made of. kClay: clay. kDrawing: painted in the drawing's colours (a grid of
+/// colours). kParts: clay of another colour for each part (a grid of parts).
+enum class Material : std::uint8_t { kClay, kDrawing, kParts };
+
 /// How the camera stands. kView: centred on what this view shows, which fills the frame.
 /// kTurntable: so that the model stays in the frame however it is turned, at one scale.
 enum class Framing : std::uint8_t { kView, kTurntable };
@@ -34,6 +38,7 @@ struct RenderOptions {
       0;  ///< degrees about the vertical, added to the view's: the camera goes to the right
   Head head = Head::kHigher;
   Framing framing = Framing::kView;
+  Material material = Material::kClay;
   Backdrop backdrop = Backdrop::kStudio;
   std::array<float, 3> backdrop_color = {1, 1, 1};  ///< for kColor: linear, sRGB primaries
   Layers layers = Layers::kColor;

@@ -18,7 +18,8 @@ namespace lascaux {
 /// - "surface": the level set.
 /// - "density", a fog volume (tools::sdfToFogVolume): 1 inside, falling to 0 at the surface over
 ///   the three voxels below it.
-/// - "Cd", the linear colour (Vec3f), and "part", the index (float, since programs stumble over
+/// - "Cd", the linear colour (Vec3f; model.colors at the voxel, or its part's), and "part", the
+/// index (float, since programs stumble over
 ///   grids of integers; -1 outside), of the part that each voxel belongs to (PartOfPoints): active
 ///   in the band and inside. Where no part reaches it is the first.
 /// - "part_NAME" for each part, letters, digits and '_' only: the level set of the part by itself.
@@ -28,5 +29,14 @@ namespace lascaux {
 /// so. Errors are RasteriseBand's. The same grids for any number of threads.
 Outcome<std::vector<openvdb::GridBase::ConstPtr>> VolumeGrids(const ModelVolume& model,
                                                               const Execution& execution = {});
+
+/// "Cd" and "part" for pictures: within two voxels of the surface alone, which must be the level
+/// set of model.surface, y up.
+struct ColorGrids {
+  openvdb::Vec3SGrid::Ptr color;
+  openvdb::FloatGrid::Ptr part;
+};
+ColorGrids ColorsBesideSurface(const openvdb::FloatGrid& surface, const ModelVolume& model,
+                               const Execution& execution = {});
 
 }  // namespace lascaux

@@ -40,7 +40,7 @@ Encoded EncodeExr(const LascauxLayers& layers) {
     if (name == "A") spec.alpha_channel = i;
     if (name == "Z") spec.z_channel = i;
     spec.channelnames.push_back(name);
-    const bool exact = name == "Z" || name == "part";
+    const bool exact = name == "Z" || name == "id";
     spec.channelformats.push_back(exact ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::HALF);
   }
   spec.attribute("compression", "zip");

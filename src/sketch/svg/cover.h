@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <cstdint>
 #include <vector>
 
 #include "lascaux/sketch/sketch.h"
@@ -11,8 +10,6 @@
 /// What filled areas hide of the lines that were drawn before them.
 
 namespace lascaux::svg {
-
-enum class FillRule : std::uint8_t { kNonZero, kEvenOdd };
 
 /// An opaque filled area.
 class Cover {

@@ -139,10 +139,7 @@ class InkPage {
     const RasterFrame own{frame.origin + frame.scale * Vector2d(x0, y0), frame.scale,
                           std::min(frame.width, static_cast<int>(high.x()) + 1) - x0,
                           std::min(frame.height, static_cast<int>(high.y()) + 1) - y0};
-    const auto rule = painted_[element.begin].fill_rule == FillRule::kEvenOdd
-                          ? trace::FillRule::kEvenOdd
-                          : trace::FillRule::kNonZero;
-    const Tone area = trace::Rasterised(contours, rule, own);
+    const Tone area = trace::Rasterised(contours, painted_[element.begin].fill_rule, own);
     const float ink = element.is_ink ? 1 : 0, color = element.is_ink || element.is_white ? 0 : 1;
     for (int y = 0; y < own.height; ++y) {
       for (int x = 0; x < own.width; ++x) {

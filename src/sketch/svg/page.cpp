@@ -165,6 +165,19 @@ class Page {
   std::vector<const PaintedSubpath*> first_of_;
 };
 
+/// The areas that are painted with a colour, in their order.
+std::vector<FilledArea> AreasOf(const std::vector<PaintedSubpath>& painted) {
+  std::vector<FilledArea> areas;
+  int last = -1;  // element
+  for (const PaintedSubpath& p : painted) {
+    if (!p.covers || p.is_ink || !p.stroke.fill_color || p.stroke.pieces.empty()) continue;
+    if (p.order != last) areas.push_back({{}, p.fill_rule, *p.stroke.fill_color});
+    areas.back().outlines.push_back(p.stroke.pieces);
+    last = p.order;
+  }
+  return areas;
+}
+
 /// What is put into the sketch, piece by piece.
 class SketchBuilder {
  public:
@@ -235,6 +248,7 @@ Outcome<Sketch> DrawPage(std::vector<PaintedSubpath> painted, Reading& reading) 
     }
   }
   if (drawn.empty()) return reading.Failed(NoStrokes(reading.RootName()));
+  std::vector<FilledArea> areas = AreasOf(painted);
 
   const std::vector<std::size_t> first = FirstOfEach(curves);
   std::vector<int> copies(drawn.size(), 0);
@@ -267,6 +281,7 @@ Outcome<Sketch> DrawPage(std::vector<PaintedSubpath> painted, Reading& reading) 
     }
   }
   Sketch sketch = std::move(builder).Finish();
+  sketch.areas = std::move(areas);
   if (sketch.strokes.empty()) return reading.Failed(NoStrokes(reading.RootName()));
   const double diagonal = Bounds(sketch).diagonal().norm();
   if (diagonal > 0 && diagonal < 1 / kMaxCoordinate) {

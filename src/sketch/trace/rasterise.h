@@ -2,13 +2,10 @@
 
 #include <vector>
 
-#include "lascaux/sketch/bezier.h"
+#include "lascaux/sketch/sketch.h"
 #include "sketch/trace/plane.h"
 
 namespace lascaux::trace {
-
-/// What is inside of a filled shape (SVG's fill-rule).
-enum class FillRule : std::uint8_t { kNonZero, kEvenOdd };
 
 /// Closed contours, each a chain of curves; one that is open is closed by a straight line.
 using Contours = std::vector<std::vector<CubicBezier>>;

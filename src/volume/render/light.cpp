@@ -8,7 +8,6 @@ namespace lascaux {
 namespace {
 
 // Colours and strengths were chosen by eye on many models; linear light, 1 is white paper.
-const Color kClay(0.560F, 0.335F, 0.225F);
 const Color kKeyLight(1.46F, 1.35F, 1.19F);
 const Color kSky(0.56F, 0.62F, 0.71F);
 const Color kHorizon(0.50F, 0.50F, 0.505F);
@@ -145,8 +144,8 @@ Lighting Studio::Gather(const Eigen::Vector3f& p, const Eigen::Vector3f& normal)
   return lighting;
 }
 
-Color Studio::Shade(const Lighting& lighting, const Eigen::Vector3f& normal,
-                    const Eigen::Vector3f& to_eye) const noexcept {
+Color Studio::Shade(const Lighting& lighting, const Facet& facet) const noexcept {
+  const auto& [normal, to_eye, albedo] = facet;
   const Color wrapped = ((normal.dot(key_) + kWrap) / (1 + kWrap)).max(0.F);
   Color light = lighting.ambient + lighting.key * kKeyLight * wrapped * wrapped.sqrt();
   const float grazing = 1 - std::max(0.F, normal.dot(to_eye));
@@ -154,7 +153,7 @@ Color Studio::Shade(const Lighting& lighting, const Eigen::Vector3f& normal,
   light += kRim * lighting.rim * behind * grazing * grazing * kRimLight;
   const Eigen::Vector3f half = (key_ + to_eye).normalized();
   const float gloss = kGloss * std::pow(std::max(0.F, normal.dot(half)), kGlossPower);
-  return kClay * light + lighting.key * gloss * kKeyLight;
+  return albedo * light + lighting.key * gloss * kKeyLight;
 }
 
 }  // namespace lascaux

@@ -34,6 +34,12 @@ struct Lighting {
   Lighting operator*(float n) const noexcept { return {key * n, rim * n, ambient * n}; }
 };
 
+/// A place on the surface as the camera sees it.
+struct Facet {
+  Eigen::Vector3f normal, to_eye;
+  Color albedo;  ///< share of light that it throws back
+};
+
 /// The lights' places, fixed to the camera so that every view is lit alike, and what they see of
 /// the model.
 class Studio {
@@ -44,9 +50,8 @@ class Studio {
   /// What reaches a place on the surface. It varies slowly, and costs most.
   Lighting Gather(const Eigen::Vector3f& p, const Eigen::Vector3f& normal) const noexcept;
 
-  /// Light that clay sends towards the camera.
-  Color Shade(const Lighting& lighting, const Eigen::Vector3f& normal,
-              const Eigen::Vector3f& to_eye) const noexcept;
+  /// Light that a place sends towards the camera.
+  Color Shade(const Lighting& lighting, const Facet& facet) const noexcept;
 
   /// Share of the key light, 0 to 1, that reaches a place; `lift` voxels are left out at its
   /// beginning.

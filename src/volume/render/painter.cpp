@@ -59,6 +59,7 @@ Painter::Painter(const Scene& scene, const RenderOptions& options)
   if (layers_ != Layers::kAll) return;
   picture_.depth.assign(count, kNoDepth);
   picture_.normal.resize(3 * count);
+  picture_.part.assign(count, -1);
 }
 
 Picture Painter::TakePicture() { return std::move(picture_); }
@@ -234,6 +235,7 @@ void Painter::PutLayers(int x, int y) {
   const std::size_t i = Index(x, y);
   if (layers_ != Layers::kAll || !samples_[i]) return;
   picture_.depth[i] = scene_.Depth(*samples_[i]);
+  picture_.part[i] = scene_.Part(*samples_[i]);
   const Eigen::Vector3f& normal = samples_[i]->normal;
   std::copy(normal.begin(), normal.end(),
             picture_.normal.begin() + static_cast<std::ptrdiff_t>(3 * i));

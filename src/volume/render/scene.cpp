@@ -9,9 +9,10 @@ constexpr int kCoarseNodes = 96;  // along the model's longest side
 
 }  // namespace
 
-Scene::Scene(const openvdb::FloatGrid& grid, const RenderOptions& options)
-    : coarse_(grid, kCoarseNodes),
-      surface_(grid, coarse_),
+Scene::Scene(const ShownModel& model, const RenderOptions& options)
+    : coarse_(*model.surface, kCoarseNodes),
+      surface_(*model.surface, coarse_),
+      coloring_(model, options.material),
       camera_(options, coarse_.SolidNodes()),
       studio_(coarse_, camera_),
       shadow_(studio_, coarse_),
@@ -19,7 +20,7 @@ Scene::Scene(const openvdb::FloatGrid& grid, const RenderOptions& options)
       backdrop_(options.backdrop),
       backdrop_color_(options.backdrop_color[0], options.backdrop_color[1],
                       options.backdrop_color[2]),
-      voxel_size_(static_cast<float>(grid.voxelSize().x())) {}
+      voxel_size_(static_cast<float>(model.surface->voxelSize().x())) {}
 
 float Scene::FreeLength(float x, float y, float reach, float from) const noexcept {
   // The diagonal, and a little for rays that are not of length 1 before they are normalised.
@@ -35,7 +36,9 @@ std::optional<Sample> Scene::Trace(float x, float y, float from) const noexcept 
 }
 
 Light Scene::ModelLight(const Sample& sample, const Lighting& lighting, float x, float y) const {
-  const Color light = studio_.Shade(lighting, sample.normal, -camera_.Through(x, y).direction);
+  const Facet facet{sample.normal, -camera_.Through(x, y).direction,
+                    coloring_.AlbedoAt(sample.place)};
+  const Color light = studio_.Shade(lighting, facet);
   return Opaque(ToneMapped(light));
 }
 

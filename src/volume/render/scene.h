@@ -8,6 +8,7 @@
 #include "lascaux/volume/render.h"
 #include "volume/render/camera.h"
 #include "volume/render/coarse_field.h"
+#include "volume/render/coloring.h"
 #include "volume/render/ground_shadow.h"
 #include "volume/render/light.h"
 #include "volume/render/surface.h"
@@ -23,8 +24,8 @@ struct Sample {
 /// in pixels.
 class Scene {
  public:
-  /// The grid must outlive it.
-  Scene(const openvdb::FloatGrid& grid, const RenderOptions& options);
+  /// The model must outlive it.
+  Scene(const ShownModel& model, const RenderOptions& options);
 
   /// How far the rays around (x, y) are free, up to `reach` pixels away in x and in y, given that
   /// they are up to `from`; infinite if none of them meets the model.
@@ -44,9 +45,13 @@ class Scene {
   /// Distance from the camera along its axis, in the grid's world units.
   float Depth(const Sample& sample) const noexcept;
 
+  /// The part that is seen; -1 where none is known.
+  float Part(const Sample& sample) const noexcept { return coloring_.PartAt(sample.place); }
+
  private:
   CoarseField coarse_;
   Surface surface_;
+  Coloring coloring_;
   Camera camera_;
   Studio studio_;
   GroundShadow shadow_;
