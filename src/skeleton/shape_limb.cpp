@@ -21,6 +21,9 @@ constexpr double kHanging = 0.5;
 /// Tangent of the most that a limb leans outwards: all of it when its tip is above its root by that
 /// share of their distance, none when it hangs.
 constexpr double kMostLean = 0.7, kUpright = 0.5;
+/// What is longer than so many times its width leans less, so that its tip is no further out: long
+/// ears and horns stand straighter than short ones.
+constexpr double kLeaning = 2;
 /// Slope at which a hanging limb goes out to the flank.
 constexpr double kSpread = 1.0;
 /// Thickness in z over width: of limbs as long as wide, and that much more for each width of
@@ -262,17 +265,25 @@ class LimbShaper {
     return lean * Smoothstep((kHanging - down) / (kHanging + kUpright));
   }
 
-  /// Half of its thickness where it is as wide as anywhere: plates are as thick all over.
-  double PlateThickness() const {
+  /// Greatest half width, and length in whole ones.
+  double Widest() const {
     double widest = 0;
     for (const Place& p : places_) widest = std::max(widest, p.disc.radius);
-    const double length = tip_->away + tip_->disc.radius + top_.radius;
-    return widest *
-           std::clamp(kFlat + kRounder * (length / (2 * widest) - 1), kFlat, options_.limb_depth);
+    return widest;
+  }
+  double Slenderness() const {
+    return (tip_->away + tip_->disc.radius + top_.radius) / (2 * Widest());
+  }
+
+  /// Half of its thickness where it is as wide as anywhere: plates are as thick all over.
+  double PlateThickness() const {
+    return Widest() *
+           std::clamp(kFlat + kRounder * (Slenderness() - 1), kFlat, options_.limb_depth);
   }
 
   LimbShape Rising() {
-    const double thickness = PlateThickness(), lean = Lean();
+    const double thickness = PlateThickness();
+    const double lean = Lean() * std::min(1.0, kLeaning / Slenderness());
     const double root = FrontAtTop() - options_.embed * top_.radius;
     LimbShape shape;
     shape.z = root;

@@ -186,6 +186,26 @@ TEST(PlaceInDepth, APointedEarLeansOutUpToItsTipAndNeverBack) {
   }
 }
 
+TEST(PlaceInDepth, TheTipsOfLongEarsAreHardlyFurtherOutThanThoseOfShorterOnes) {
+  // Ears of one width, so many radii of theirs high.
+  std::vector<double> out;
+  for (const double height : {1.5, 3.0, 5.0, 8.0}) {
+    testing::Drawing drawing = testing::OnlyBody(testing::Ellipse({0, 0}, 4, 2));
+    constexpr double kRadius = 0.4;
+    const int ear = drawing.Add(testing::Capsule({1, -1.5}, {1, -1.5 - height * kRadius}, kRadius),
+                                PartRole::kForeground, 0);
+    const Creature beast = Placed(drawing);
+    double low = std::numeric_limits<double>::infinity(), high = 0;
+    for (const DepthStation& station : PartOf(beast, ear).stations) {
+      low = std::min(low, station.z), high = std::max(high, station.z);
+    }
+    out.push_back(high - low);
+  }
+  EXPECT_GT(out[1], 1.3 * out[0]);
+  EXPECT_LT(out[3], 1.25 * out[2]);  // and not 1.6 times as far
+  EXPECT_GT(out[3], out[1]);
+}
+
 TEST(PlaceInDepth, BelliesAreFullerThanBacksAndFinsThin) {
   // An ellipse with a triangle on its back.
   std::vector<Vector2d> ring;

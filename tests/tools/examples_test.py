@@ -5,7 +5,8 @@ import json
 from program import EXAMPLES, SANITIZED, ProgramTest, main, run
 from truth import differences
 
-MEAN, P95 = 0.15, 0.5  # percent of the diagonal, for the worst drawing
+MEAN, P95 = 0.1, 0.3  # percent of the diagonal, for the worst drawing
+MEANS = {"contour_mean_percent": 0.05, "contour_p95_percent": 0.12, "iou": 0.99}  # over all drawings
 RESOLUTION = 96 if SANITIZED else 256
 
 
@@ -14,9 +15,15 @@ class ExamplesTest(ProgramTest):
         self.assertGreaterEqual(len(list(EXAMPLES.glob("*.svg"))), 16)
 
     def test_each_is_understood_solid_and_faithful(self):
+        fidelity = []
         for sketch in sorted(EXAMPLES.glob("*.svg")):
             with self.subTest(example=sketch.stem):
-                self.check(sketch)
+                fidelity.append(self.check(sketch))
+        if SANITIZED:
+            return
+        for figure, limit in MEANS.items():
+            mean = sum(f[figure] for f in fidelity) / len(fidelity)
+            (self.assertGreaterEqual if figure == "iou" else self.assertLessEqual)(mean, limit, figure)
 
     def check(self, sketch):
         path = self.folder / f"{sketch.stem}.json"
@@ -35,6 +42,7 @@ class ExamplesTest(ProgramTest):
         if not SANITIZED:  # a coarse grid is as coarse as it is
             self.assertLessEqual(report["fidelity"]["contour_mean_percent"], MEAN)
             self.assertLessEqual(report["fidelity"]["contour_p95_percent"], P95)
+        return report["fidelity"]
 
 
 if __name__ == "__main__":
