@@ -94,12 +94,13 @@ struct PlaceInDepthOptions {
 /// under the surface. It goes out to where its outer face is flush with the deepest place of the
 /// parent near it, and on straight; where its root would be nearer to the plane, as at the line of
 /// the belly, all of it is straight and goes up to that place by a chain of discs more (a
-/// shoulder), which the parent's outline hides. A rising one (an ear, a horn, a wing) leans out along the parent's normal, by 35
-/// degrees at most and less where it is long and slender, and is the flatter the shorter it is for
-/// its width; one that ends on its parent lies on it. Where a limb is clear of its parent's
-/// outline, its middle keeps (1 + pair_gap / 2) times its radius in z from the sagittal plane; if
-/// it has to, by moving out further, as far as its parent's deepest place. Islands are lenses in
-/// the surface. What sits on a part out of the plane has its parent's depths and its mirror image.
+/// shoulder), which the parent's outline hides. A rising one (an ear, a horn, a wing) leans out
+/// along the parent's normal, by 35 degrees at most and less where it is long and slender, and is
+/// the flatter the shorter it is for its width; one that ends on its parent lies on it. Where a
+/// limb is clear of its parent's outline, its middle keeps (1 + pair_gap / 2) times its radius in z
+/// from the sagittal plane; if it has to, by moving out further, as far as its parent's deepest
+/// place. Islands are lenses in the surface. What sits on a part out of the plane has its parent's
+/// depths and its mirror image.
 ///
 /// Between the discs of a chain, and beyond its ends, depths go on as they change along it.
 ///
