@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lascaux/base/diagnostic.h"
+#include "lascaux/sketch/depth_graph.h"
 #include "lascaux/sketch/trace_picture.h"
 
 /// @file
@@ -31,6 +32,15 @@ inline Json RingJson(const std::vector<Eigen::Vector2d>& ring) {
 template <typename T>
 Json OrNull(const std::optional<T>& value) {
   return value ? Json(*value) : Json();
+}
+
+/// How well a role is borne out; null where no rule chose it.
+inline Json ChoiceJson(const std::optional<RoleChoice>& choice) {
+  if (!choice) return nullptr;
+  return {{"score", choice->score},
+          {"runner_up", Name(choice->runner_up)},
+          {"runner_up_score", choice->runner_up_score},
+          {"margin", choice->Margin()}};
 }
 
 /// How a picture was traced; null for a drawing that needed no tracing.

@@ -118,7 +118,8 @@ Json GraphJson(const DepthGraph& graph) {
                      {"role", Name(node.role)},
                      {"parent", OrNull(node.parent)},
                      {"relation", Name(node.relation)},
-                     {"pair", OrNull(node.pair)}};
+                     {"pair", OrNull(node.pair)},
+                     {"choice", ChoiceJson(node.choice)}};
            })}};
 }
 

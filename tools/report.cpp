@@ -78,6 +78,7 @@ Json PartJson(const Model& model, int part) {
           {"outlines", OutlinesJson(model, part)},
           {"evidence", root ? Json(Name(root->evidence)) : Json()},
           {"energy", root ? Json(root->energy) : Json()},
+          {"choice", ChoiceJson(node.choice)},
           {"fidelity", PartFidelityJson(model, part)}};
 }
 

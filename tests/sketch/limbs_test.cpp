@@ -276,6 +276,35 @@ TEST(Limbs, HornsAreNoLegsWhereTheHeadIsLookedFor) {
                          {{113, 45}, PartRole::kForeground}});
 }
 
+TEST(Limbs, ARoleTurnsWhereItsMarginIsNought) {
+  // A cell below a body, shorter and longer beside a leg: from a stub in the plane to a leg.
+  double before = -1;
+  int turns = 0;
+  for (int length = 20; length <= 100; length += 4) {
+    SCOPED_TRACE(length);
+    const std::string content = R"(<path d="M60 80H340V160H60Z"/><path d="M260 160V260H300V160"/>
+        <path d="M100 160v)" + std::to_string(length) +
+                                "h40V160\"/>";
+    const auto read = ReadDrawing(content);
+    ASSERT_TRUE(read);
+    const auto cell = PartAt(*read, {120, 170});
+    ASSERT_TRUE(cell);
+    const DepthNode& node = read->graph.nodes[static_cast<std::size_t>(*cell)];
+    ASSERT_TRUE(node.choice);
+    EXPECT_GE(node.choice->Margin(), 0);
+    const bool leg = node.role == PartRole::kForeground;
+    const double score = leg ? node.choice->score : node.choice->runner_up_score;
+    EXPECT_EQ(leg, score >= 0);
+    EXPECT_GE(score, before);
+    turns += leg && before < 0 ? 1 : 0;
+    EXPECT_EQ(Findings(content, "limb-guessed").size(),
+              // The other leg is a cell, too; a stub is a guess only near the turn.
+              leg || node.choice->Margin() < 0.1 ? 2u : 1u);
+    before = score;
+  }
+  EXPECT_EQ(turns, 1);
+}
+
 TEST(Limbs, FinsOfAnAnimalWithoutLimbsLieInThePlane) {
   ExpectStructure(kFish, {{{200, 140}, PartRole::kBody},
                           {{365, 150}, PartRole::kSagittal},

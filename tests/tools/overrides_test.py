@@ -66,6 +66,7 @@ class OverridesTest(ProgramTest):
         for role in ("sagittal", "ignored"):
             dump = self.understood(parts=[{"part": EAR, "role": role}])
             self.assertEqual(self.node(dump, EAR)[1]["role"], role)
+            self.assertIsNone(self.node(dump, EAR)[1]["choice"])  # no rule chose it
         dump = self.understood(parts=[{"part": TAIL, "role": "foreground"}])
         self.assertEqual(self.node(dump, TAIL)[1]["role"], "foreground")
         self.assertEqual(self.node(dump, TAIL)[1]["relation"], "over")

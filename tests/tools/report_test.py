@@ -57,8 +57,17 @@ class ReportTest(ProgramTest):
         self.assertTrue(0 <= report["body"]["score_margin"] <= 1)
         for part in report["parts"]:
             self.assertEqual(list(part), ["id", "name", "role", "parent", "relation", "pair", "z",
-                                          "outlines", "evidence", "energy",
+                                          "outlines", "evidence", "energy", "choice",
                                           "fidelity"])
+            choice = part["choice"]
+            self.assertEqual(choice is None, part["role"] == "island")
+            if not choice:
+                continue
+            self.assertEqual(list(choice), ["score", "runner_up", "runner_up_score", "margin"])
+            self.assertNotEqual(choice["runner_up"], part["role"])
+            self.assertAlmostEqual(choice["margin"], choice["score"] - choice["runner_up_score"])
+            self.assertGreater(choice["margin"], 0.1)  # a clean drawing: no guesses
+            self.assertLessEqual(choice["score"], 1)
             self.assertIn(part["role"], ("body", "foreground", "background", "sagittal", "island"))
         figures = ["contour_mean_percent", "contour_p95_percent", "worst_percent"]
         self.assertEqual(list(report["fidelity"]), ["iou", *figures, "worst_at"])

@@ -33,6 +33,19 @@ enum class PartRole : std::uint8_t {
 /// A part's relation to its parent.
 enum class Relation : std::uint8_t { kNone, kOver, kUnder, kAdjacent, kOverIn };
 
+/// How well a part's role is borne out, and what it would be otherwise. A score is the clearance of
+/// the weakest evidence (Part::score), below 0 if that does not hold; a role that needs none, as to
+/// lie in the plane or to be left in its parent, has 0. The body has 1, the next best candidate its
+/// share of the body's score.
+struct RoleChoice {
+  double score = 0;
+  PartRole runner_up = PartRole::kSagittal;
+  double runner_up_score = 0;
+
+  double Margin() const { return score - runner_up_score; }
+  bool operator==(const RoleChoice&) const = default;
+};
+
 /// One node of the depth graph; node i belongs to Parts::parts[i].
 struct DepthNode {
   PartRole role = PartRole::kSagittal;
@@ -45,7 +58,9 @@ struct DepthNode {
   /// first here, and are no part by themselves.
   std::optional<int> piece_of;
   bool flat = false;  ///< thinner than wide; only options.overrides say so
-  std::string name;   ///< "body", "limb-1", "limb-1-far", "eye-6", "part-5": unique
+  /// None for islands, ignored parts, and roles that options.overrides gave.
+  std::optional<RoleChoice> choice;
+  std::string name;  ///< "body", "limb-1", "limb-1-far", "eye-6", "part-5": unique
 
   bool operator==(const DepthNode&) const = default;
 };

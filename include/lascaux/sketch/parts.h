@@ -71,6 +71,9 @@ struct Part {
   std::optional<int> over;         ///< for limbs: the part that it was cut from and lies over
   std::optional<LimbRoot> root;    ///< for limbs
   std::optional<int> far_side_of;  ///< for a leg that shows beside this limb in one outline
+  /// For these and for limbs how well the evidence bears them out, 0 to 1: the least clearance of
+  /// all that had to hold, as a share of the larger of measure and limit. 0: just so.
+  double score = 0;
   std::vector<int>
       cycles;  ///< cycles of the planar map that it covers (a limb: the one it was cut from)
   /// Half-edges of the planar map on its outline, in order: one list for each stretch between

@@ -45,11 +45,14 @@ void Unpair(DepthGraph& graph, int part) {
     if (node.pair != part) continue;
     node.pair.reset();
     node.piece_of.reset();
-    if (node.role == PartRole::kBackground) node.role = PartRole::kIgnored;
+    if (node.role != PartRole::kBackground) continue;
+    node.role = PartRole::kIgnored;
+    node.choice.reset();
   }
   DepthNode& node = graph.nodes[static_cast<Index>(part)];
   node.pair.reset();
   node.piece_of.reset();
+  node.choice.reset();
 }
 
 /// What hangs on a part as more of it takes its role.
@@ -60,6 +63,7 @@ void PassOn(DepthGraph& graph, int part) {
     const bool more = child.parent == part && child.relation == Relation::kAdjacent;
     if (!more || (role != PartRole::kForeground && role != PartRole::kSagittal)) continue;
     child.role = role;
+    child.choice.reset();
     PassOn(graph, static_cast<int>(i));
   }
 }

@@ -18,6 +18,10 @@ using Index = std::size_t;
 /// A torso whose score is ahead of the next one's by less than this share is a guess.
 constexpr double kSureMargin = 0.2;
 
+/// A role that is ahead of the next one by less than this is a guess: a change of one limit of the
+/// rules by a tenth would turn it.
+constexpr double kSureRole = 0.1;
+
 /// What lies apart from the animal is worth a word from this share of the torso's area on.
 constexpr double kShowsApart = 0.02;
 
@@ -26,7 +30,7 @@ constexpr double kShowsApart = 0.02;
 constexpr double kShowsLeftOut = 0.25;
 
 /// Limbs lie over the part that they were cut from, their far sides under it.
-void PlaceLimbs(const Parts& parts, const std::vector<std::optional<int>>& far_of,
+void PlaceLimbs(const Parts& parts, const std::vector<std::optional<FarSide>>& far_sides,
                 DepthGraph& graph) {
   for (Index i = 0; i < parts.parts.size(); ++i) {
     DepthNode& node = graph.nodes[i];
@@ -34,12 +38,21 @@ void PlaceLimbs(const Parts& parts, const std::vector<std::optional<int>>& far_o
       node.role = PartRole::kForeground;
       node.parent = parts.parts[i].over;
       node.relation = Relation::kOver;
-    } else if (far_of[i]) {
-      DepthNode& near = graph.nodes[static_cast<Index>(*far_of[i])];
+      const bool of_limb = parts.parts[static_cast<Index>(*node.parent)].kind == PartKind::kLimb;
+      const PartRole left = of_limb                      ? PartRole::kForeground
+                            : *node.parent == graph.body ? PartRole::kBody
+                                                         : PartRole::kSagittal;
+      node.choice = RoleChoice{parts.parts[i].score, left, 0};
+      if (parts.parts[i].root->evidence == LimbEvidence::kOverride) node.choice.reset();
+    } else if (far_sides[i]) {
+      DepthNode& near = graph.nodes[static_cast<Index>(far_sides[i]->limb)];
       node.role = PartRole::kBackground;
-      node.parent = parts.parts[static_cast<Index>(*far_of[i])].over;
+      node.parent = parts.parts[static_cast<Index>(far_sides[i]->limb)].over;
       node.relation = Relation::kUnder;
-      node.pair = far_of[i];
+      node.pair = far_sides[i]->limb;
+      const double other = far_sides[i]->other_score;
+      node.choice = RoleChoice{far_sides[i]->score,
+                               other > 0 ? PartRole::kBackground : PartRole::kSagittal, other};
       if (near.pair) {
         node.piece_of = near.pair;
       } else {
@@ -83,7 +96,8 @@ void DropOrphans(DepthGraph& graph) {
       if (!node.parent || node.role == PartRole::kIgnored) continue;
       const PartRole role = graph.nodes[static_cast<Index>(*node.parent)].role;
       if (role != PartRole::kIgnored && role != PartRole::kBackground) continue;
-      node = DepthNode{PartRole::kIgnored, {}, Relation::kNone, {}, {}, {}, {}};
+      node = DepthNode{};
+      node.role = PartRole::kIgnored;
       again = true;
     }
   }
@@ -114,24 +128,34 @@ void NameParts(DepthGraph& graph) {
   }
 }
 
+/// Why a role is a guess, with its margin; empty for one that is sure.
+std::string WhyGuessed(const Part& part, const DepthNode& node) {
+  if (!node.choice) return "";
+  char text[120] = "";
+  const double margin = node.choice->Margin();
+  const bool over = node.role == PartRole::kForeground && node.relation == Relation::kOver;
+  if (over && part.kind == PartKind::kBorder) {
+    std::snprintf(text, sizeof text, "is a closed cell, taken for one of a pair, by %.2f", margin);
+  } else if (over && part.root->evidence == LimbEvidence::kFarSide) {
+    std::snprintf(text, sizeof text, "was found by its far side alone, at %.2f of at most %.2f",
+                  part.root->energy, kMostUnlikeFarSide);
+  } else if (over && margin < kSureRole) {
+    std::snprintf(text, sizeof text, "was taken for a limb by %.2f only", margin);
+  } else if (node.role == PartRole::kSagittal && margin < kSureRole) {
+    std::snprintf(text, sizeof text, "was taken for one in the plane, no pair, by %.2f only",
+                  margin);
+  }
+  return text;
+}
+
 /// What was decided on little evidence, each at its place.
 void WarnOfGuesses(const Parts& parts, const DepthGraph& graph, Diagnostics& log) {
-  const auto warn = [&](Index part, const std::string& why) {
-    log.push_back(At(
-        Warning("limb-guessed", graph.nodes[part].name + " " + why + "; --overrides corrects it"),
-        Centroid(parts.parts[part].outline.points)));
-  };
   for (Index i = 0; i < graph.nodes.size(); ++i) {
-    const Part& part = parts.parts[i];
-    const DepthNode& node = graph.nodes[i];
-    if (node.role != PartRole::kForeground || node.relation != Relation::kOver) continue;
-    if (part.root && part.root->evidence == LimbEvidence::kFarSide) {
-      char text[80];
-      std::snprintf(text, sizeof text, "was found by its far side alone, at %.2f of at most %.2f",
-                    part.root->energy, kMostUnlikeFarSide);
-      warn(i, text);
-    }
-    if (part.kind == PartKind::kBorder) warn(i, "is a closed cell, taken for one of a pair");
+    const std::string why = WhyGuessed(parts.parts[i], graph.nodes[i]);
+    if (why.empty()) continue;
+    log.push_back(
+        At(Warning("limb-guessed", graph.nodes[i].name + " " + why + "; --overrides corrects it"),
+           Centroid(parts.parts[i].outline.points)));
   }
 }
 
@@ -225,6 +249,8 @@ Outcome<DepthGraph> OrderByDepth(const PlanarMap& map, const Parts& parts,
   DepthNode& torso = graph.nodes[static_cast<Index>(graph.body)];
   torso = DepthNode{};
   torso.role = PartRole::kBody;
+  if (!options.body && !options.body_part)
+    torso.choice = RoleChoice{1, PartRole::kSagittal, 1 - body->margin};
   PlaceCells(map, parts, adjacency, graph);
   PlaceIslands(parts, graph);
   auto corrected = ApplyOverrides(parts, std::move(graph), options).MoveInto(log);

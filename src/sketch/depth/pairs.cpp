@@ -138,8 +138,8 @@ bool Augment(const std::vector<Match>& matches, int limb, std::set<int>& visited
 
 }  // namespace
 
-std::vector<std::optional<int>> FindFarSides(const PlanarMap& map, const Parts& parts,
-                                             const Adjacency& adjacency, int body) {
+std::vector<std::optional<FarSide>> FindFarSides(const PlanarMap& map, const Parts& parts,
+                                                 const Adjacency& adjacency, int body) {
   const std::vector<Match> matches = Matches(map, parts, adjacency, body);
   // As many limbs as possible get a far side, the most alike first; then what is left joins as
   // further pieces.
@@ -162,7 +162,17 @@ std::vector<std::optional<int>> FindFarSides(const PlanarMap& map, const Parts& 
     if (!far && touches && match.cost < kMaxPieceUnlikeness) far = match.limb;
   }
   AddPieces(parts, adjacency, body, far_of);
-  return far_of;
+  std::vector<std::optional<FarSide>> far_sides(far_of.size());
+  for (std::size_t i = 0; i < far_of.size(); ++i) {
+    if (far_of[i]) far_sides[i] = FarSide{*far_of[i], parts.parts[i].score, 0};
+  }
+  for (const Match& match : matches) {
+    auto& far = far_sides[static_cast<std::size_t>(match.cell)];
+    if (!far) continue;
+    double& score = match.limb == far->limb ? far->score : far->other_score;
+    score = std::max(score, 1 - match.cost / kMaxUnlikeness);
+  }
+  return far_sides;
 }
 
 }  // namespace lascaux

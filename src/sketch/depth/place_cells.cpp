@@ -1,9 +1,9 @@
 #include "sketch/depth/place_cells.h"
 
 #include <algorithm>
-#include <tuple>
 
 #include "sketch/depth/side_cells.h"
+#include "sketch/parts/evidence.h"
 
 namespace lascaux {
 namespace {
@@ -11,9 +11,9 @@ namespace {
 using Eigen::Vector2d;
 using Index = std::size_t;
 
-/// True when a cell lies nearer to the limb's root than to its tip, the point farthest from its
-/// top.
-bool IsAtRoot(const Part& limb, const Part& cell) {
+/// How much nearer a cell lies to the limb's tip, the point farthest from its top, than to its root
+/// (Evidence): below 0 it is at the root.
+double AtTip(const Part& limb, const Part& cell) {
   const LimbRoot& root = *limb.root;
   const Vector2d joint = 0.5 * (root.closed[0] + root.closed[1]);
   const Vector2d top = 0.5 * (root.open[0] + root.open[1]), at = Centroid(cell.outline.points);
@@ -22,7 +22,7 @@ bool IsAtRoot(const Part& limb, const Part& cell) {
       *std::max_element(points.begin(), points.end(), [&](const Vector2d& p, const Vector2d& q) {
         return (p - top).squaredNorm() < (q - top).squaredNorm();
       });
-  return (at - joint).norm() < (at - tip).norm();
+  return Evidence().AtMost((at - tip).norm(), (at - joint).norm()).Score();
 }
 
 class Placer {
@@ -87,9 +87,13 @@ class Placer {
     const Part& part = parts_.parts[static_cast<Index>(cell)];
     // Beside a limb's far end: more of the limb (a hoof). Beside its root: something in the plane
     // that the limb hides.
-    while (parts_.parts[static_cast<Index>(parent)].root &&
-           IsAtRoot(parts_.parts[static_cast<Index>(parent)], part)) {
-      parent = *parts_.parts[static_cast<Index>(parent)].over;
+    double at_tip = 1;  // for more of something that is more of a limb
+    for (const Part* limb = &parts_.parts[static_cast<Index>(parent)]; limb->root;
+         limb = &parts_.parts[static_cast<Index>(parent)]) {
+      at_tip = AtTip(*limb, part);
+      if (at_tip >= 0) break;
+      parent = *limb->over;
+      at_tip = 1;
     }
     const PartRole parent_role = graph_.nodes[static_cast<Index>(parent)].role;
     DepthNode& node = graph_.nodes[static_cast<Index>(cell)];
@@ -98,12 +102,16 @@ class Placer {
     placed_[static_cast<Index>(cell)] = true;
     if (parent_role == PartRole::kForeground) {
       node.role = PartRole::kForeground;
+      node.choice = RoleChoice{at_tip, PartRole::kSagittal, 0};
       return;
     }
     node.role = PartRole::kSagittal;
     const bool holds_limbs = std::any_of(parts_.parts.begin(), parts_.parts.end(),
                                          [&](const Part& p) { return p.over == cell; });
-    if (holds_limbs || side_cells_.OneOfAPair(cell, parent, OpenBehind(cell)) < 0) return;
+    const double side = holds_limbs ? -1 : side_cells_.OneOfAPair(cell, parent, OpenBehind(cell));
+    node.choice = RoleChoice{0, PartRole::kForeground, side};
+    if (side < 0) return;
+    node.choice = RoleChoice{side, PartRole::kSagittal, 0};
     node.role = PartRole::kForeground;
     node.relation = Relation::kOver;
   }
@@ -130,16 +138,22 @@ class Placer {
       if (parts_.parts[i].kind == PartKind::kBorder && node.relation == Relation::kOver)
         sides.push_back(static_cast<int>(i));
     }
-    std::vector<std::tuple<double, int, int>> matches;
+    struct Match {
+      SideCells::Unlike unlike;
+      int a = 0, b = 0;
+    };
+    std::vector<Match> matches;
     for (const int a : sides) {
       for (const int b : sides) {
         const auto parent = graph_.nodes[static_cast<Index>(a)].parent;
         if (a >= b || parent != graph_.nodes[static_cast<Index>(b)].parent) continue;
         if (const auto unlike = side_cells_.Unlikeness(a, b, *parent))
-          matches.emplace_back(*unlike, a, b);
+          matches.push_back({*unlike, a, b});
       }
     }
-    std::sort(matches.begin(), matches.end());
+    std::stable_sort(matches.begin(), matches.end(), [](const Match& one, const Match& other) {
+      return one.unlike.cost < other.unlike.cost;
+    });
     for (const auto& [unlike, a, b] : matches) {
       const bool a_near = side_cells_.Lowest(a) >= side_cells_.Lowest(b);
       const int near = a_near ? a : b, far = a_near ? b : a;
@@ -147,6 +161,8 @@ class Placer {
         continue;
       graph_.nodes[static_cast<Index>(near)].pair = far;
       PutBehind(far, near, std::nullopt);
+      graph_.nodes[static_cast<Index>(far)].choice =
+          RoleChoice{unlike.score, PartRole::kForeground, 0};
     }
   }
 

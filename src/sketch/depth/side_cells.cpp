@@ -178,13 +178,18 @@ double SideCells::OneOfAPair(int cell, int parent, const std::vector<int>& more)
   return std::max(LegScore(ShapeOf(cell, parent, more), parent), EarScore(own, cell, parent));
 }
 
-std::optional<double> SideCells::Unlikeness(int one, int other, int parent) const {
+std::optional<SideCells::Unlike> SideCells::Unlikeness(int one, int other, int parent) const {
   const Shape a = ShapeOf(one, parent, {}), b = ShapeOf(other, parent, {});
   const double apart = (a.joint - b.joint).norm() / map_.diagonal;
   const double ratio = std::abs(std::log(a.tip.norm() / b.tip.norm()));
   const double swing = AngleBetween(a.tip, b.tip);
-  if (apart > kPairApart || ratio > std::log(kPairRatio) || swing > kPairSwing) return std::nullopt;
-  return apart + ratio + swing;
+  const double score = Evidence()
+                           .AtMost(apart, kPairApart)
+                           .AtMost(ratio, std::log(kPairRatio))
+                           .AtMost(swing, kPairSwing)
+                           .Score();
+  if (score < 0) return std::nullopt;
+  return Unlike{apart + ratio + swing, score};
 }
 
 double SideCells::Lowest(int cell) const {

@@ -29,8 +29,12 @@ class SideCells {
   /// The score of the better role of both (Evidence): it is one from 0 on.
   double OneOfAPair(int cell, int parent, const std::vector<int>& more) const;
 
+  struct Unlike {
+    double cost = 0;   ///< small: much alike
+    double score = 0;  ///< Evidence
+  };
   /// Is this leg's far or near side beside it? How unlike they are, or none.
-  std::optional<double> Unlikeness(int one, int other, int parent) const;
+  std::optional<Unlike> Unlikeness(int one, int other, int parent) const;
 
   /// How far down a cell reaches, in sketch units.
   double Lowest(int cell) const;

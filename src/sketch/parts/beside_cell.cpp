@@ -207,6 +207,7 @@ std::optional<LimbCut> CutOf(const Way& way, const Bump& bump) {
   if (!limb) return std::nullopt;
   limb->evidence = LimbEvidence::kFarSide;
   limb->energy = bump.cost;
+  limb->score = 1 - bump.cost / kMostUnlikeFarSide;
   return limb;
 }
 

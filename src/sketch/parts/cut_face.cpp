@@ -192,6 +192,7 @@ std::vector<Part> CutFace(const FaceView& face, int cycle, const std::vector<Lim
   for (const std::size_t i : order) {
     Part part = LimbPart(face, limbs[i], ChildrenOf(limbs, owners, static_cast<int>(i)));
     part.over = owners[i] < 0 ? first_id : id_of[static_cast<std::size_t>(owners[i])];
+    part.score = limbs[i].score;
     id_of[i] = first_id + static_cast<int>(parts.size());
     parts.push_back(std::move(part));
   }

@@ -21,7 +21,8 @@ struct LimbCut {
   OutlineKind from_kind = OutlineKind::kDrawn, to_kind = OutlineKind::kDrawn;
   LimbEvidence evidence = LimbEvidence::kTwoCurves;
   double energy = 0;
-  int far_of = -1;  ///< index, among the cuts of the face, of the limb whose far side it is
+  double score = 1;  ///< as Part::score
+  int far_of = -1;   ///< index, among the cuts of the face, of the limb whose far side it is
 };
 
 /// Everything that the rules look at, for one face.

@@ -235,6 +235,7 @@ LimbCut CutAt(const Contour& contour, const Lobe& leg) {
   cut.to_curve = Upward(face, face.line.At(cut.to), up);
   cut.from_kind = cut.to_kind = OutlineKind::kCompletion;
   cut.evidence = LimbEvidence::kNeck;
+  cut.score = leg.score;
   return cut;
 }
 

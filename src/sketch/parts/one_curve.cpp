@@ -4,7 +4,9 @@
 #include <numbers>
 #include <optional>
 
+#include "sketch/map/heights.h"
 #include "sketch/parts/completion.h"
+#include "sketch/parts/evidence.h"
 #include "sketch/parts/limb_cut.h"
 
 namespace lascaux {
@@ -138,19 +140,23 @@ Protrusion ProtrusionOf(const Walker& walker, double place, double step) {
 }
 
 /// A leg comes down to where the animal stands, an ear is small and stands up; neither is the
-/// larger half of the animal.
-bool IsLegOrEar(const FaceView& face, const Protrusion& limb, double width) {
-  if (limb.tip.norm() < kLeastTip * width || limb.tip.norm() > kMostTip * width) return false;
-  double top = std::numeric_limits<double>::infinity(), bottom = -top;
-  for (const MapEdge& edge : face.map.edges) {
-    for (const Vector2d& p : edge.points) {
-      top = std::min(top, p.y());
-      bottom = std::max(bottom, p.y());
-    }
-  }
-  if (limb.share > kMostShare) return false;
-  if (limb.lowest > bottom - kGround * (bottom - top)) return true;
-  return limb.share < kMostEar && -limb.tip.y() > kUpright * limb.tip.norm();
+/// larger half of the animal. `width` is that of the root.
+Evidence EvidenceOf(const FaceView& face, const Protrusion& limb, double width) {
+  const Heights heights = HeightsOf(face.map);
+  const double reach = limb.tip.norm(), diagonal = face.map.diagonal;
+  const double leg =
+      Evidence()
+          .AtMost(heights.bottom - limb.lowest, kGround * (heights.bottom - heights.top))
+          .Score();
+  const double ear =
+      Evidence().AtMost(limb.share, kMostEar).AtLeast(-limb.tip.y(), kUpright * reach).Score();
+  return Evidence()
+      .AtLeast(width, kLeastWidth * diagonal)
+      .AtMost(width, kMostWidth * diagonal)
+      .AtLeast(reach, kLeastTip * width)
+      .AtMost(reach, kMostTip * width)
+      .AtMost(limb.share, kMostShare)
+      .And(std::max(leg, ear));
 }
 
 bool IsInsideFace(const FaceView& face, const Vector2d& a, const Vector2d& b) {
@@ -218,16 +224,15 @@ std::optional<int> CurveAt(const FaceView& face, const Pairing& pairing, double 
 
 std::optional<LimbCut> LimbTowards(const FaceView& face, const Pairing& pairing,
                                    const SuggestiveCurve& curve, int sign) {
-  const double diagonal = face.map.diagonal, step = kStep * diagonal, start = curve.arc;
+  const double step = kStep * face.map.diagonal, start = curve.arc;
   const Walker walker{face, start, sign, FreeWay(face, pairing, start, sign)};
   const auto nearest = NearestBeyondTip(walker, step);
   if (!nearest) return std::nullopt;
   const double place = MovedToFeature(walker, *nearest, step);
   const Vector2d a = walker.At(0), b = walker.At(place);
   const double width = (b - a).norm();
-  if (!IsLegOrEar(face, ProtrusionOf(walker, place, step), width)) return std::nullopt;
-  if (width < kLeastWidth * diagonal || width > kMostWidth * diagonal || !IsInsideFace(face, a, b))
-    return std::nullopt;
+  const Evidence evidence = EvidenceOf(face, ProtrusionOf(walker, place, step), width);
+  if (!evidence.Holds() || !IsInsideFace(face, a, b)) return std::nullopt;
   double end = face.line.Wrap(start + sign * place);
   const auto partner = CurveAt(face, pairing, end, width);
   Flank flank;
@@ -248,7 +253,8 @@ std::optional<LimbCut> LimbTowards(const FaceView& face, const Pairing& pairing,
                OutlineKind::kDrawn,
                flank.kind,
                partner ? LimbEvidence::kTwoCurves : LimbEvidence::kOneCurve,
-               energy};
+               energy,
+               evidence.Score()};
   if (sign < 0) {
     std::swap(limb.from, limb.to);
     std::swap(limb.from_curve, limb.to_curve);

@@ -187,7 +187,8 @@ Pairing PairCurves(const FaceView& face, const FindPartsOptions& options) {
     const SuggestiveCurve& b = face.curves[static_cast<std::size_t>(c.j)];
     taken[static_cast<std::size_t>(c.i)] = taken[static_cast<std::size_t>(c.j)] = true;
     pairing.limbs.push_back({a.arc, b.arc, a.points, b.points, OutlineKind::kDrawn,
-                             OutlineKind::kDrawn, LimbEvidence::kTwoCurves, c.energy});
+                             OutlineKind::kDrawn, LimbEvidence::kTwoCurves, c.energy,
+                             std::max(0.0, 1 - c.energy / (2 * options.single_cost))});
   }
   for (const int i : usable) {
     if (!taken[static_cast<std::size_t>(i)]) pairing.single.push_back(i);
