@@ -130,6 +130,14 @@ TEST(Limbs, ALoneEarIsOneOfAPair) {
                           {{113, 45}, PartRole::kForeground}});
 }
 
+TEST(Limbs, CellsInATangleAreNoEars) {
+  // A larger cell behind the calf's ear, along it and the neck: both are pieces of one head.
+  ExpectStructure(std::string(kCalf) + R"(<path d="M122,28C150,-10 190,-20 200,0L170,87"/>)",
+                  {{{200, 140}, PartRole::kBody},
+                   {{113, 45}, PartRole::kSagittal},
+                   {{160, 40}, PartRole::kSagittal}});
+}
+
 /// The calf with far legs that are open: one begins 5 % of the size below the belly, one on it, and
 /// neither foot reaches the near leg.
 std::string WithOpenFarLegs(const std::string& far_legs) {

@@ -149,6 +149,16 @@ double SideCells::HeadScore(const Vector2d& joint) const {
       .Score();
 }
 
+/// A head drawn from many cells has none that is an ear: an ear touches the head and at most the
+/// other ear.
+bool SideCells::IsInATangle(int cell, int parent) const {
+  const auto& beside = adjacency_.shared[static_cast<Index>(cell)];
+  return std::any_of(beside.begin(), beside.end(), [&](const auto& other) {
+    const bool is_cell = parts_.parts[static_cast<Index>(other.first)].kind == PartKind::kBorder;
+    return is_cell && other.first != parent && !Unlikeness(cell, other.first, parent);
+  });
+}
+
 double SideCells::EarScore(const Shape& shape, int cell, int parent) const {
   if (roots_.empty()) return -1;
   const Part& part = parts_.parts[static_cast<Index>(cell)];
@@ -161,7 +171,7 @@ double SideCells::EarScore(const Shape& shape, int cell, int parent) const {
   const bool holds_eye = std::any_of(eyes_.begin(), eyes_.end(), [&](const Vector2d& eye) {
     return Contains(part.outline.points, eye);
   });
-  if (holds_eye) return -1;
+  if (holds_eye || IsInATangle(cell, parent)) return -1;
   return Evidence()
       .AtLeast(-shape.tip.y(), kUp * reach)
       .AtMost(shape.shared, kMostShared)

@@ -44,6 +44,7 @@ class SideCells {
   Shape ShapeOf(int cell, int parent, const std::vector<int>& more) const;
   double LegScore(const Shape& shape, int parent) const;
   double EarScore(const Shape& shape, int cell, int parent) const;
+  bool IsInATangle(int cell, int parent) const;
   double HeadScore(const Eigen::Vector2d& joint) const;
 
   const PlanarMap& map_;
