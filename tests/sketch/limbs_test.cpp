@@ -272,6 +272,16 @@ TEST(Limbs, LegsOfASilhouetteMayStandForward) {
                   {{{310, 222}, PartRole::kBody}, {{109, 226}, PartRole::kForeground}});
 }
 
+TEST(Limbs, LegsOfAToyMayBeStoutAndRound) {
+  // Hardly longer than wide, and the belly runs into them in curves.
+  ExpectStructure(
+      R"(<path d="M60 130C50 40 510 40 500 130V225C500 236 530 236 530 250C530 270 420 262 420 230
+                     C420 190 404 176 390 176H170C156 176 140 190 140 230C140 262 30 270 30 250C30 236 60 236 60 225Z"/>)",
+      {{{280, 120}, PartRole::kBody},
+       {{460, 210}, PartRole::kForeground},
+       {{100, 210}, PartRole::kForeground}});
+}
+
 TEST(Limbs, HornsAreNoLegsWhereTheHeadIsLookedFor) {
   // The calf without its eye and with a horn that has suggestive curves: the ear behind it is one.
   std::string calf = kCalf;

@@ -20,8 +20,8 @@ constexpr int kMostSamples = 3000;
 constexpr double kCrotch = 25 * std::numbers::pi / 180;
 /// Width of a leg's root, share of the diagonal: below it is a hair, above it half the animal.
 constexpr double kLeastWidth = 8e-3, kMostWidth = 0.25;
-/// A leg is at least this many root widths long (to the corner of its foot), and at most this share
-/// of the face's area.
+/// The contour goes at least this many times as far from a crotch as the way back to it across the
+/// leg; a leg has at most this share of the face's area.
 constexpr double kLeastReach = 1.05, kMostArea = 0.15;
 /// Shorter lobes, as a share of the diagonal, are toes.
 constexpr double kLeastLength = 0.06;
@@ -135,17 +135,33 @@ bool ChordIsInside(const FaceView& face, const Vector2d& a, const Vector2d& b) {
   return true;
 }
 
+/// How plainly a leg has to show.
+struct Plainness {
+  double reach;  ///< way over which a crotch turns, share of the diagonal
+  double swing;  ///< angle between leg and vertical
+  double least;  ///< length to the corner of its foot, in widths of its root
+};
+
+constexpr double kDegree = std::numbers::pi / 180;
+/// Sharp crotches and legs that point down and are longer than wide; only an animal without any
+/// such leg has them stand forward, and if there are none either, stout ones between rounded
+/// crotches.
+constexpr std::array kPlainness = {Plainness{0.02, 50 * kDegree, 1.05},
+                                   Plainness{0.02, 75 * kDegree, 1.05},
+                                   Plainness{0.04, 75 * kDegree, 0.85}};
+
 /// How much like a leg a lobe is that points down within `swing` (Evidence).
-double LegScore(const Contour& contour, const Lobe& lobe, const Heights& heights, double swing) {
+double LegScore(const Contour& contour, const Lobe& lobe, const Heights& heights,
+                const Plainness& plain) {
   const double diagonal = contour.face.map.diagonal, area = AreaOf(contour, lobe);
   const double score =
       Evidence()
           .AtLeast(lobe.width, kLeastWidth * diagonal)
           .AtMost(lobe.width, kMostWidth * diagonal)
-          .AtLeast(lobe.length, kLeastReach * lobe.width)
+          .AtLeast(lobe.length, plain.least * lobe.width)
           .AtLeast(lobe.length, kLeastLength * diagonal)
           .AtMost(heights.bottom - lobe.tip.y(), kGround * (heights.bottom - heights.top))
-          .AtMost(AngleBetween(lobe.tip - lobe.root, {0, 1}), swing)
+          .AtMost(AngleBetween(lobe.tip - lobe.root, {0, 1}), plain.swing)
           .AtMost(area, kMostArea * SignedArea(contour.face.line.points))
           .Score();
   if (score < 0 || area <= 0) return -1;
@@ -176,18 +192,6 @@ bool Overlap(const Contour& contour, const Lobe& a, const Lobe& b) {
   return holds(a, b.from) || holds(b, a.from);
 }
 
-/// How plainly a leg has to show.
-struct Plainness {
-  double reach;  ///< way over which a crotch turns, share of the diagonal
-  double swing;  ///< angle between leg and vertical
-};
-
-constexpr double kDegree = std::numbers::pi / 180;
-/// Sharp crotches and legs that point down; only an animal without any such leg has them stand
-/// forward, and then between rounded crotches.
-constexpr std::array kPlainness = {Plainness{0.02, 50 * kDegree}, Plainness{0.02, 75 * kDegree},
-                                   Plainness{0.04, 75 * kDegree}};
-
 /// The legs of the contour, in its order.
 std::vector<Lobe> FindLegs(const Contour& contour, const Plainness& plainness) {
   const Heights heights = HeightsOf(contour.face.map);
@@ -199,7 +203,7 @@ std::vector<Lobe> FindLegs(const Contour& contour, const Plainness& plainness) {
       if (!opposite) continue;
       Lobe lobe = way > 0 ? LobeBetween(contour, crotch, *opposite)
                           : LobeBetween(contour, *opposite, crotch);
-      lobe.score = LegScore(contour, lobe, heights, plainness.swing);
+      lobe.score = LegScore(contour, lobe, heights, plainness);
       if (lobe.score >= 0) found.push_back(lobe);
     }
   }
