@@ -163,6 +163,7 @@ Model Make(const Job& job, const CommandOptions& options, const Execution& execu
   model = RunPipeline(*bytes, *pipeline, execution);
   model.file = job.sketch;
   model.timings.stages.front().second += reading.stages.front().second;
+  model.timings.start = reading.start;
 
   const ExitCode code = ExitCodeOf(model.diagnostics);
   const bool diagnosed = code == ExitCode::kUnderstanding || code == ExitCode::kMesh;

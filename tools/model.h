@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -30,8 +31,10 @@ namespace lascaux {
 
 /// How long each stage took, in milliseconds, in the order of the stages.
 struct Timings {
-  std::vector<std::pair<std::string, double>> stages;
-  double total = 0;  ///< from the first byte read to the last file written, the report left out
+  std::vector<std::pair<std::string, double>> stages;  ///< milliseconds; some run side by side
+  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+  /// What passed from the first byte read to the last file written, the report left out.
+  double total = 0;
 };
 
 /// The level set of a run; grid.h has it.

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
+
+#include <cstddef>
 
 #include "lascaux/base/execution.h"
 
@@ -18,6 +21,17 @@ void RunTogether(const Execution& execution, const First& first, const Second& s
   }
   tbb::task_arena arena(execution.threads > 0 ? execution.threads : tbb::task_arena::automatic);
   arena.execute([&] { tbb::parallel_invoke(first, second); });
+}
+
+/// Runs work(0) to work(count - 1), side by side where the execution has more than one thread.
+template <typename Work>
+void ForEachTogether(const Execution& execution, std::size_t count, const Work& work) {
+  if (execution.threads == 1 || count < 2) {
+    for (std::size_t i = 0; i < count; ++i) work(i);
+    return;
+  }
+  tbb::task_arena arena(execution.threads > 0 ? execution.threads : tbb::task_arena::automatic);
+  arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, work); });
 }
 
 }  // namespace lascaux

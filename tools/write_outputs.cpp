@@ -23,6 +23,7 @@
 #include "parse_dump.h"
 #include "parse_picture.h"
 #include "picture_file.h"
+#include "run_together.h"
 #include "stopwatch.h"
 
 namespace lascaux {
@@ -151,21 +152,37 @@ void WriteOutputs(Model& model, const std::vector<OutputTarget>& targets,
   const auto add = [&](const OutputTarget& target) {
     return IsStandardOutput(target) ? stream.emplace().path() : files.Add(target.path);
   };
-  const auto write = [&](const OutputTarget& target) {
-    auto path = add(target).MoveInto(model.diagnostics);
-    return path && Log(InNameOf(target.path, *path, writer.Write(target, *path)), model) &&
-           !Interrupted(execution, model);
-  };
   const auto is_report = [](const OutputTarget& t) { return t.kind == OutputKind::kReport; };
+  // Side by side; what they say, in order.
+  const auto write = [&](const std::vector<OutputTarget>& chosen) {
+    std::vector<fs::path> paths;
+    for (const OutputTarget& target : chosen) {
+      auto path = add(target).MoveInto(model.diagnostics);
+      if (!path) return false;
+      paths.push_back(std::move(*path));
+    }
+    std::vector<Diagnostics> found(chosen.size());
+    ForEachTogether(execution, chosen.size(),
+                    [&](std::size_t i) { found[i] = writer.Write(chosen[i], paths[i]); });
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+      if (!Log(InNameOf(chosen[i].path, paths[i], std::move(found[i])), model)) return false;
+    return !Interrupted(execution, model);
+  };
+  std::vector<OutputTarget> files_of_model, reports;
+  for (const OutputTarget& target : targets) {
+    if (is_report(target))
+      reports.push_back(target);
+    else if (!(failed && IsModel(target.kind)))
+      files_of_model.push_back(target);
+  }
   {
     const Stopwatch watch(model.timings, "write");
-    for (const OutputTarget& target : targets)
-      if (!is_report(target) && !(failed && IsModel(target.kind)) && !write(target)) return;
+    if (!write(files_of_model)) return;
   }
-  for (const auto& [stage, milliseconds] : model.timings.stages)
-    model.timings.total += milliseconds;
-  for (const OutputTarget& target : targets)  // last: they hold what the others had to say
-    if (is_report(target) && !write(target)) return;
+  model.timings.total = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() -
+                                                                  model.timings.start)
+                            .count();
+  if (!write(reports)) return;  // last: they hold what the others had to say
   // First what may fail with somebody else: files that appear can't be told from those of a
   // success.
   if (stream && !Log(stream->SendTo(STDOUT_FILENO), model)) return;
