@@ -7,6 +7,10 @@
 
 #include "compiled_data.h"
 
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
 namespace lascaux {
 namespace {
 
@@ -318,14 +322,15 @@ internal::KernelLattice LatticeFor(const Offsets& offsets) {
 /// Bit i is set where values[i] is above `limit`.
 std::uint64_t BitsAbove(const float* values, float limit) {
   std::uint64_t bits = 0;
-  for (std::size_t line = 0; line < kTile; line += 8) {
-    std::array<std::uint8_t, 8> above;
-    for (std::size_t i = 0; i < above.size(); ++i) above[i] = values[line + i] > limit ? 1 : 0;
-    std::uint64_t bytes = 0;
-    for (std::size_t i = 0; i < above.size(); ++i) bytes |= std::uint64_t{above[i]} << 8 * i;
-    // Each byte's lowest bit moves to its place in the highest byte, and no two meet.
-    bits |= (bytes * 0x0102040810204080 >> 56) << line;
+#if defined(__SSE2__)
+  const __m128 limits = _mm_set1_ps(limit);
+  for (std::size_t i = 0; i < kTile; i += 4) {
+    const int four = _mm_movemask_ps(_mm_cmpgt_ps(_mm_loadu_ps(values + i), limits));
+    bits |= static_cast<std::uint64_t>(four) << i;
   }
+#else
+  for (std::size_t i = 0; i < kTile; ++i) bits |= std::uint64_t{values[i] > limit} << i;
+#endif
   return bits;
 }
 

@@ -100,9 +100,10 @@ class Extraction {
       : band_(band),
         target_(target),
         cells_(FindSurfaceCells(band)),
-        numbering_(NumberParts(cells_)) {}
+        numbering_(NumberParts(cells_)),
+        shells_(numbering_.vertex.back()) {}
 
-  Mesh Run() {
+  Outcome<Mesh> Run() {
     const std::size_t vertices = numbering_.vertex.back(), quads = numbering_.quad.back();
     mesh_.vertices.resize(vertices);
     mesh_.triangles.resize(2 * quads);
@@ -112,7 +113,7 @@ class Extraction {
       if (target_.field != nullptr) RefineVertices(b);
     });
     tbb::parallel_for(std::size_t{0}, band_.size(), [this](std::size_t b) { ConnectVertices(b); });
-    return std::move(mesh_);
+    return KeepLargestShell(std::move(mesh_), band_.voxel_size, shells_);
   }
 
  private:
@@ -241,8 +242,9 @@ class Extraction {
   void Cut(Waiting& waiting) {
     const auto from_first = CutFromFirst(waiting.seen, waiting.count, kEnvelopeMargin);
     for (std::size_t i = 0; i < waiting.count; ++i) {
-      AddTriangles(2 * (waiting.first + i), waiting.vertices[i], from_first[i] != 0,
-                   waiting.starts_inside[i] != 0);
+      const std::array<std::uint32_t, 4>& q = waiting.vertices[i];
+      AddTriangles(2 * (waiting.first + i), q, from_first[i] != 0, waiting.starts_inside[i] != 0);
+      for (std::size_t k = 1; k < 4; ++k) shells_.Join(q[0], q[k]);
     }
     waiting.first += waiting.count;
     waiting.count = 0;
@@ -265,6 +267,7 @@ class Extraction {
   Target target_;
   SurfaceCells cells_;
   Numbering numbering_;
+  UnionFind shells_;
   Mesh mesh_;
   std::vector<Vector3f> in_cell_;
 };
@@ -281,8 +284,7 @@ Outcome<Mesh> Extract(const NarrowBand& band, const Target& target, const Execut
   if (execution.IsCancelled()) return Result::Failure(cancelled());
   try {
     std::optional<Result> result;
-    RunInArena(execution,
-               [&] { result = KeepLargestShell(Extraction(band, target).Run(), band.voxel_size); });
+    RunInArena(execution, [&] { result = Extraction(band, target).Run(); });
     if (execution.IsCancelled()) return Result::Failure(cancelled());
     return std::move(*result);
   } catch (const std::bad_alloc&) {

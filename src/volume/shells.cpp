@@ -32,13 +32,7 @@ struct Shells {
   std::vector<Shell> shells;
 };
 
-Shells FindShells(const Mesh& mesh) {
-  UnionFind sets(mesh.vertices.size());
-  tbb::parallel_for(std::size_t{0}, mesh.triangles.size(), [&](std::size_t i) {
-    const auto& t = mesh.triangles[i];
-    sets.Join(t[0], t[1]);
-    sets.Join(t[0], t[2]);
-  });
+Shells FindShells(const Mesh& mesh, UnionFind& sets) {
   Shells found;
   found.of.resize(mesh.vertices.size());
   for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
@@ -115,7 +109,17 @@ Diagnostics Warnings(const std::vector<Shell>& shells, std::size_t kept, float v
 }  // namespace
 
 Outcome<Mesh> KeepLargestShell(Mesh mesh, double voxel) {
-  const Shells found = FindShells(mesh);
+  UnionFind sets(mesh.vertices.size());
+  tbb::parallel_for(std::size_t{0}, mesh.triangles.size(), [&](std::size_t i) {
+    const auto& t = mesh.triangles[i];
+    sets.Join(t[0], t[1]);
+    sets.Join(t[0], t[2]);
+  });
+  return KeepLargestShell(std::move(mesh), voxel, sets);
+}
+
+Outcome<Mesh> KeepLargestShell(Mesh mesh, double voxel, UnionFind& sets) {
+  const Shells found = FindShells(mesh, sets);
   const auto largest =
       std::max_element(found.shells.begin(), found.shells.end(),
                        [](const Shell& a, const Shell& b) { return a.volume < b.volume; });
