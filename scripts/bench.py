@@ -141,6 +141,14 @@ print(statistics.median(times))
     return float(result.stdout) if result.returncode == 0 else None
 
 
+def cgal(resolution):
+    """CGAL's implicit mesher: its time in ms and its vertices; None where it is not built."""
+    program = ROOT / "build/release/bin/bench_cgal"
+    if not program.exists():
+        return None
+    return json.loads(subprocess.run([program, BODY, str(resolution)], check=True, capture_output=True, text=True).stdout)
+
+
 def on_one_body(folder, resolutions, runs, ratios):
     program = ROOT / "build/release/bin/bench_peers"
     if not program.exists():
@@ -168,6 +176,9 @@ def on_one_body(folder, resolutions, runs, ratios):
         if "particles" in ms:
             ratios.add(f"ParticlesToLevelSet + volumeToMesh / ours {at}",
                        (ms["particles"] + ms["particles_mesh"]) / ours, 10, "more")
+        if run["resolution"] == 256 and (peer := cgal(256)):
+            print(f"    CGAL {peer['ms']:.0f} for {peer['vertices']} vertices")
+            ratios.add(f"CGAL's implicit mesher / ours {at}", peer["ms"] / ours, 100, "more")
         if run["resolution"] == 512 and "dense" in ms:
             edges = flying_edges(dense, runs)
             if edges is None:
