@@ -256,23 +256,17 @@ struct LatticePoints {
   }
 };
 
-/// The numbers of a lattice's nodes, and of the points that show how well those tell the rest.
-struct LatticeChoice {
-  std::array<std::uint16_t, kTile> nodes{};
-  std::array<std::uint16_t, internal::kLatticeChecks> checks{};
-};
+/// The numbers of the lattice's points that show how well the nodes tell the rest.
+using LatticeChecks = std::array<std::uint16_t, internal::kLatticeChecks>;
 
-constexpr LatticeChoice ChooseLattice() {
+constexpr LatticeChecks ChooseChecks() {
   constexpr auto number = [](const std::array<int, 3>& at) {
     return static_cast<std::uint16_t>(64 * at[0] + 8 * at[1] + at[2]);
   };
   constexpr auto& kNodes = internal::kLatticeNodes;
   constexpr std::array<int, 4> kOff = {1, 3, 4, 6};  // an axis's other points
-  LatticeChoice choice;
-  std::size_t next = 0, check = 0;
-  for (const int x : kNodes)
-    for (const int y : kNodes)
-      for (const int z : kNodes) choice.nodes[next++] = number({x, y, z});
+  LatticeChecks checks{};
+  std::size_t check = 0;
   // Every other line of nodes along each axis, at each place off the nodes as often.
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (std::size_t u = 0; u < 4; ++u) {
@@ -281,39 +275,48 @@ constexpr LatticeChoice ChooseLattice() {
         at[axis] = kOff[(u + w / 2 * 2) % 4];
         at[(axis + 1) % 3] = kNodes[u];
         at[(axis + 2) % 3] = kNodes[w];
-        choice.checks[check++] = number(at);
+        checks[check++] = number(at);
       }
     }
   }
   for (std::size_t corner = 0; corner < internal::kChecksAWay; ++corner) {
     const auto side = [corner](std::size_t axis) { return 1 + (corner >> axis & 1); };
-    choice.checks[check++] = number({kOff[side(0)], kOff[side(1)], kOff[side(2)]});
+    checks[check++] = number({kOff[side(0)], kOff[side(1)], kOff[side(2)]});
   }
-  return choice;
+  return checks;
 }
 
-void PlaceTile(std::span<const std::uint16_t> which, const Offsets& offsets,
-               internal::KernelPoints& tile) {
-  for (std::size_t i = 0; i < which.size(); ++i) {
-    tile.x[i] = offsets[which[i] / 64U];
-    tile.y[i] = offsets[which[i] / 8U % 8];
-    tile.z[i] = offsets[which[i] % 8U];
+/// The points of a plane or a cube whose places along each axis are given; z fastest.
+template <std::size_t kSide>
+void PlaceProduct(std::span<const float> x, const std::array<float, kSide>& yz,
+                  internal::KernelPoints& tile) {
+  constexpr std::size_t kLayer = kSide * kSide;
+  tile.count = static_cast<int>(x.size() * kLayer);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    std::fill_n(tile.x + kLayer * i, kLayer, x[i]);
+    for (std::size_t j = 0; j < kSide; ++j) {
+      std::fill_n(tile.y + kLayer * i + kSide * j, kSide, yz[j]);
+      std::copy_n(yz.begin(), kSide, tile.z + kLayer * i + kSide * j);
+    }
   }
-  tile.count = static_cast<int>(which.size());
 }
 
 internal::KernelLattice LatticeFor(const Offsets& offsets) {
-  static constexpr LatticeChoice kChoice = ChooseLattice();
-  static constexpr auto kLayer = [] {
-    std::array<std::uint16_t, kTile> layer{};
-    for (std::size_t i = 0; i < layer.size(); ++i) layer[i] = static_cast<std::uint16_t>(i);
-    return layer;
-  }();
+  static constexpr LatticeChecks kChecks = ChooseChecks();
+  std::array<float, 4> nodes;
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    nodes[k] = offsets[static_cast<std::size_t>(internal::kLatticeNodes[k])];
   internal::KernelLattice lattice;
-  PlaceTile(kChoice.nodes, offsets, lattice.nodes);
-  PlaceTile(kChoice.checks, offsets, lattice.checks);
-  PlaceTile(kLayer, offsets, lattice.layer);
-  std::copy(kChoice.checks.begin(), kChoice.checks.end(), lattice.check_at);
+  PlaceProduct(nodes, nodes, lattice.nodes);
+  PlaceProduct(std::span(offsets).first(1), offsets, lattice.layer);
+  for (std::size_t i = 0; i < kChecks.size(); ++i) {
+    const std::size_t at = kChecks[i];
+    lattice.checks.x[i] = offsets[at / 64];
+    lattice.checks.y[i] = offsets[at / 8 % 8];
+    lattice.checks.z[i] = offsets[at % 8];
+    lattice.check_at[i] = kChecks[i];
+  }
+  lattice.checks.count = internal::kLatticeChecks;
   lattice.low = offsets[0];
   lattice.step = offsets[1] - offsets[0];
   return lattice;
