@@ -5,8 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <map>
 
+#include "choice.h"
 #include "picture_arguments.h"
 #include "render_arguments.h"
 #include "version.h"
@@ -157,11 +157,10 @@ void AddBuild(CLI::App& app, CommandLine& line) {
       ->check(Between(kNarrowest, kWidest))
       ->capture_default_str()
       ->type_name("N");
-  app.add_option("--fit", pipeline.outline_fit,
-                 "outline: the side view is the drawing (default); none: medial axes as they are, "
-                 "to compare")
-      ->transform(CLI::Transformer(std::map<std::string, OutlineFit>{
-          {"outline", OutlineFit::kExact}, {"none", OutlineFit::kNone}}))
+  AddChoice<OutlineFit>(
+      app, "--fit", pipeline.outline_fit,
+      {{"outline", OutlineFit::kExact}, {"none", OutlineFit::kNone}},
+      "outline: the side view is the drawing (default); none: medial axes as they are, to compare")
       ->type_name("HOW");
   AddVolume(app, options.write);
   AddViews(app, pipeline.preview.views);

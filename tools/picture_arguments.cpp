@@ -4,6 +4,9 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <string>
+
+#include "choice.h"
 
 namespace lascaux {
 namespace {
@@ -89,11 +92,11 @@ void AddBackground(CLI::App& app, RenderOptions& render) {
 }
 
 void AddMaterial(CLI::App& app, RenderOptions& render) {
-  app.add_option("--material", render.material,
-                 "clay (default), drawing (the colours that the drawing is painted in), or parts "
-                 "(a colour for each part)")
-      ->transform(CLI::Transformer(std::map<std::string, Material>{
-          {"clay", Material::kClay}, {"drawing", Material::kDrawing}, {"parts", Material::kParts}}))
+  AddChoice<Material>(
+      app, "--material", render.material,
+      {{"clay", Material::kClay}, {"drawing", Material::kDrawing}, {"parts", Material::kParts}},
+      "clay (default), drawing (the colours that the drawing is painted in), or parts "
+      "(a colour for each part)")
       ->type_name("WHAT");
 }
 

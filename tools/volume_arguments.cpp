@@ -4,6 +4,8 @@
 #include <map>
 #include <string>
 
+#include "choice.h"
+
 namespace lascaux {
 namespace {
 
@@ -30,10 +32,9 @@ void AddVolume(CLI::App& app, WriteOptions& options) {
          "up, fog), unreal (cm, z up, fog, half), print (mm, z up)")
       ->check(CLI::IsMember(Presets()))
       ->type_name("PROGRAM");
-  app.add_option("--units", options.unit,
-                 "Unit of .vdb, .obj, .ply and .usda: mm, cm or m (default m)")
-      ->transform(CLI::Transformer(std::map<std::string, Unit>{
-          {"mm", Unit::kMillimetre}, {"cm", Unit::kCentimetre}, {"m", Unit::kMetre}}))
+  AddChoice<Unit>(app, "--units", options.unit,
+                  {{"mm", Unit::kMillimetre}, {"cm", Unit::kCentimetre}, {"m", Unit::kMetre}},
+                  "Unit of .vdb, .obj, .ply and .usda: mm, cm or m (default m)")
       ->type_name("UNIT");
   Companions& companions = options.volume.companions;
   app.add_flag_callback(

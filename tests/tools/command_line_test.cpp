@@ -171,6 +171,16 @@ TEST(CommandLine, HelpBeginsWithExamples) {
   EXPECT_EQ(help.code, ExitCode::kSuccess);
   EXPECT_LT(help.text.find("Examples:"), help.text.find("Usage:"));
   EXPECT_NE(Answered({"build", "--help"}).text.find("--resolution"), std::string::npos);
+  for (const std::string verb : {"build", "inspect", "render", "check", "trace"}) {
+    const std::string text = Answered({verb, "--help"}).text;
+    EXPECT_EQ(std::count_if(text.begin(), text.end(),
+                            [](char c) { return c != '\n' && static_cast<unsigned char>(c) < 32; }),
+              0)
+        << verb;
+    if (verb == "build") {
+      EXPECT_NE(text.find("--min-wall"), std::string::npos);
+    }
+  }
   EXPECT_NE(Answered({"--version"}).text.find("OpenVDB"), std::string::npos);
 }
 
