@@ -19,6 +19,19 @@ namespace {
 
 using Eigen::Vector3d;
 
+/// How much each part's field counts.
+std::vector<float> SayOfParts(const Field& field) {
+  std::vector<float> say;
+  for (const FieldPart& part : field.parts) {
+    float own = 1;
+    for (auto parent = part.parent; parent;
+         parent = field.parts[static_cast<std::size_t>(*parent)].parent)
+      own *= kSayOfChild;
+    say.push_back(own);
+  }
+  return say;
+}
+
 /// Each part by itself, ready for blocks.
 std::vector<CompiledField> CompileParts(const Field& field) {
   std::vector<CompiledField> compiled;
@@ -35,20 +48,23 @@ std::vector<CompiledField> CompileParts(const Field& field) {
 /// A part that may be the largest in a block, with the primitives that matter there.
 struct Candidate {
   std::size_t part;
+  float say;
   BallBounds found;
 };
 
-std::vector<Candidate> FindCandidates(const std::vector<CompiledField>& parts, const Ball& ball) {
+std::vector<Candidate> FindCandidates(const std::vector<CompiledField>& parts,
+                                      const std::vector<float>& say, const Ball& ball) {
   std::vector<Candidate> candidates;
   float least = 0;  // some part has at least this everywhere
   for (std::size_t p = 0; p < parts.size(); ++p) {
     if (parts[p].bounds().exteriorDistance(ball.center) > ball.radius) continue;
     BallBounds found = parts[p].BoundOnBall(ball, parts[p].All());
     if (!(found.bounds.upper > 0)) continue;
-    least = std::max(least, found.bounds.lower);
-    candidates.push_back({p, std::move(found)});
+    least = std::max(least, say[p] * found.bounds.lower);
+    candidates.push_back({p, say[p], std::move(found)});
   }
-  std::erase_if(candidates, [least](const Candidate& c) { return c.found.bounds.upper < least; });
+  std::erase_if(candidates,
+                [least](const Candidate& c) { return c.say * c.found.bounds.upper < least; });
   return candidates;
 }
 
@@ -59,17 +75,19 @@ std::vector<std::uint16_t> PartOfPoints(const Field& field, std::span<const Eige
   assert(field.parts.size() < kNoPart);
   std::vector<std::uint16_t> result(points.size(), kNoPart);
   const std::vector<CompiledField> parts = CompileParts(field);
+  const std::vector<float> say = SayOfParts(field);
   const PointCells cells(points);
   const auto decide = [&](std::size_t cell) {
     const std::span<const std::uint32_t> which = cells.Points(cell);
     const CellBlock block(points, which, offset);
-    const std::vector<Candidate> candidates = FindCandidates(parts, block.ball);
+    const std::vector<Candidate> candidates = FindCandidates(parts, say, block.ball);
     std::vector<float> best(which.size(), 0.0F), values(which.size());
     for (const Candidate& candidate : candidates) {
       parts[candidate.part].EvaluateValues(block.Points(), candidate.found.active, values);
       for (std::size_t i = 0; i < which.size(); ++i) {
-        if (values[i] <= best[i]) continue;
-        best[i] = values[i];
+        const float value = candidate.say * values[i];
+        if (value <= best[i]) continue;
+        best[i] = value;
         result[which[i]] = static_cast<std::uint16_t>(candidate.part);
       }
     }

@@ -92,7 +92,7 @@ TEST(Stability, WhatRollsComesToRestWhereItsWeightIsLowest) {
             kFarthestTilt);
 }
 
-TEST(PartOfPoints, IsThePartWithTheLargestFieldOfItsOwn) {
+TEST(PartOfPoints, IsThePartWhoseOwnFieldCountsMost) {
   ForSeeds(10, [](Random& random) {
     const Field field = RandomCreature(random);
     const Eigen::AlignedBox3d box = Bounds(field);
@@ -105,7 +105,10 @@ TEST(PartOfPoints, IsThePartWithTheLargestFieldOfItsOwn) {
       const Vector3d place = points[i].cast<double>() + offset;
       double best = 0, own = 0;
       for (int p = 0; p < static_cast<int>(field.parts.size()); ++p) {
-        const double value = EvaluatePart(field, p, place).value;
+        double value = EvaluatePart(field, p, place).value;
+        for (auto q = field.parts[static_cast<std::size_t>(p)].parent; q;
+             q = field.parts[static_cast<std::size_t>(*q)].parent)
+          value *= double{kSayOfChild};
         best = std::max(best, value);
         if (p == parts[i]) own = value;
       }

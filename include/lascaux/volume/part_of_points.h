@@ -16,9 +16,12 @@ namespace lascaux {
 /// Where no part reaches: the value of PartOfPoints for points at which the field is 0.
 inline constexpr std::uint16_t kNoPart = 0xffff;
 
-/// For each point the index in Field::parts of the part whose own field is largest there, the
-/// earlier one of equals: where a limb blends with its parent the border is where both have the
-/// same say.
+/// A part's field counts so many times its parent's. With as much, the border of a limb that lies
+/// flush in the flank would be as ragged as chance: there both are as large over an area.
+inline constexpr float kSayOfChild = 2;
+
+/// For each point the index in Field::parts of the part whose own field counts most there, the
+/// earlier one of equals.
 ///
 /// `offset` is added to the points first. At most 65535 parts. Parts are compared in single
 /// precision (kFloatValueError). About 0.1 us a point for points on a surface: parts that are far
