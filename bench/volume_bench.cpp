@@ -14,6 +14,7 @@
 #include "lascaux/volume/extract_mesh.h"
 #include "lascaux/volume/fidelity.h"
 #include "lascaux/volume/level_set.h"
+#include "lascaux/volume/render.h"
 
 namespace {
 
@@ -57,6 +58,13 @@ void BM_CheckMesh(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(CheckMesh(mesh));
 }
 
+/// A picture of 512 x 512 pixels of a level set in memory.
+void BM_Render(benchmark::State& state) {
+  const auto grid = Grid(state);
+  if (grid == nullptr) return state.SkipWithError("no grid");
+  for (auto _ : state) benchmark::DoNotOptimize(Render({grid}));
+}
+
 void BM_MeasureFidelity(benchmark::State& state) {
   const auto grid = Grid(state);
   if (grid == nullptr) return state.SkipWithError("no grid");
@@ -84,6 +92,12 @@ BENCHMARK(BM_CheckMesh)
     ->Range(128, 512)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
+BENCHMARK(BM_Render)
+    ->Arg(256)
+    ->Arg(1024)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->MeasureProcessCPUTime();
 BENCHMARK(BM_MeasureFidelity)->Arg(256)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace

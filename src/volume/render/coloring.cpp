@@ -8,7 +8,7 @@ namespace {
 
 // Albedos, linear. Fired clay; paint that is white on the drawing's page is not whiter than
 // plaster.
-const Color kClay(0.560F, 0.335F, 0.225F);
+const Color kClay(0.545F, 0.290F, 0.180F);
 constexpr float kPaint = 0.80F;
 
 /// From one grid's voxels to another's.

@@ -10,9 +10,9 @@
 namespace lascaux {
 namespace {
 
-constexpr int kTexels = 160;        // along the longer side
-constexpr float kSurround = 0.45F;  // of the model's size, around it: shadows have faded there
-constexpr float kKeyShare = 0.36F;  // of the floor's light that comes from the key light
+constexpr int kTexels = 176;        // along the longer side
+constexpr float kSurround = 0.54F;  // of the model's size, around it: shadows have faded there
+constexpr float kKeyShare = 0.44F;  // of the floor's light that comes from the key light
 constexpr float kSkyShare = 0.62F;  // of what is left, as far as the model can hide it
 
 float Smooth(float t) {

@@ -8,19 +8,19 @@ namespace lascaux {
 namespace {
 
 // Colours and strengths were chosen by eye on many models; linear light, 1 is white paper.
-const Color kKeyLight(1.46F, 1.35F, 1.19F);
-const Color kSky(0.56F, 0.62F, 0.71F);
-const Color kHorizon(0.50F, 0.50F, 0.505F);
-const Color kFloor(0.46F, 0.41F, 0.36F);
+const Color kKeyLight(1.78F, 1.62F, 1.40F);
+const Color kSky(0.50F, 0.57F, 0.68F);
+const Color kHorizon(0.38F, 0.39F, 0.41F);
+const Color kFloor(0.40F, 0.335F, 0.28F);
 const Color kRimLight(0.55F, 0.60F, 0.68F);
 
 /// How far light creeps around the terminator, by colour: red goes deepest in clay as in skin.
 const Color kWrap(0.30F, 0.22F, 0.17F);
 
 constexpr float kConeTangent = 0.6F;
-constexpr float kKeySize = 0.22F;  // tangent of the key light's half angle
-constexpr float kKeyReach = 0.9F;  // of the model's size, after which nothing throws a shadow
-constexpr int kKeySteps = 24;
+constexpr float kKeySize = 0.32F;  // tangent of the key light's half angle
+constexpr float kKeyReach = 1.0F;  // of the model's size, after which nothing throws a shadow
+constexpr int kKeySteps = 40;
 constexpr float kRim = 1.2F;
 constexpr float kRimWrap = 0.15F;
 constexpr float kLift = 1.2F, kKeyLift = 2.F;  // strides of the coarse field
@@ -56,7 +56,7 @@ Studio::Studio(const CoarseField& coarse, const Camera& camera)
   const Eigen::Vector3f extent = coarse.high() - coarse.low();
   size_ = extent.maxCoeff();
   const Eigen::Vector3f y(0, 1, 0);
-  key_ = (-0.60F * camera.side() + 1.30F * y + 0.65F * camera.front()).normalized();
+  key_ = (-0.62F * camera.side() + 1.35F * y + 0.62F * camera.front()).normalized();
   rim_ = (0.75F * camera.side() + 0.45F * y - 0.65F * camera.front()).normalized();
   const float shortest = 2.5F * coarse.stride();
   for (std::size_t i = 0; i < reach_.size(); ++i) {
@@ -65,15 +65,14 @@ Studio::Studio(const CoarseField& coarse, const Camera& camera)
 }
 
 float Studio::KeyVisibility(const Eigen::Vector3f& p, float lift) const noexcept {
-  float light = 1;
-  float t = lift;
+  float light = 1, t = lift;
   // Above the model nothing is in the way.
   const float end = std::min(kKeyReach * size_, (coarse_->high().y() - p.y()) / key_.y());
   for (int step = 0; step < kKeySteps && t < end && light > 0.01F; ++step) {
     const float distance = coarse_->At(p + t * key_);
     // Half of the lamp is hidden where the ray just touches the model.
     light = std::min(light, 0.5F + 0.5F * distance / (kKeySize * t));
-    t += std::max(0.9F * distance, 0.02F * size_);
+    t += std::max(0.75F * distance, 0.018F * size_);
   }
   return Smooth(light);
 }

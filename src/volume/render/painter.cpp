@@ -13,8 +13,7 @@
 namespace lascaux {
 namespace {
 
-constexpr int kBlock = 8;  // pixels that share the way through empty space, and a task
-constexpr int kQuad = 2;   // pixels that share the rest of it
+constexpr int kQuad = 2;  // pixels that share the rest of the way through empty space
 constexpr float kNothing = std::numeric_limits<float>::infinity();
 
 /// Places inside a pixel that has an edge in it: a rotated grid, so that edges near either axis get
@@ -54,7 +53,6 @@ Painter::Painter(const Scene& scene, const RenderOptions& options)
   free_.resize(QuadIndex(width_ - 1, height_ - 1) + 1);
   const std::size_t count = Index(width_ - 1, height_ - 1) + 1;
   samples_.resize(count);
-  lighting_.resize(count);
   picture_ = {width_, height_, std::vector<float>(4 * count), {}, {}, {}};
   if (layers_ != Layers::kAll) return;
   picture_.depth.assign(count, kNoDepth);
@@ -73,6 +71,11 @@ std::size_t Painter::QuadIndex(int x, int y) const noexcept {
   const int across = (width_ + kQuad - 1) / kQuad;
   return static_cast<std::size_t>(y / kQuad) * static_cast<std::size_t>(across) +
          static_cast<std::size_t>(x / kQuad);
+}
+
+/// Blocks begin at multiples of their size.
+std::size_t Painter::InBlock(int x, int y) noexcept {
+  return static_cast<std::size_t>(y % kBlock * kBlock + x % kBlock);
 }
 
 template <typename PerPart>
@@ -96,13 +99,14 @@ void Painter::ForBlocks(const PerBlock& per_block) {
 void Painter::PaintMiddles() {
   ForBlocks([this](const Block& block) {
     TraceBlock(block);
-    GatherBlock(block);
-    ForParts(block, 1, [this](const Block& pixel) {
+    const BlockLighting lighting = GatherBlock(block);
+    ForParts(block, 1, [&](const Block& pixel) {
       const int x = pixel.left, y = pixel.top;
       const std::size_t i = Index(x, y);
       Put(x, y,
-          samples_[i] ? scene_.ModelLight(*samples_[i], lighting_[i], Middle(x), Middle(y))
-                      : scene_.BackdropLight(Middle(x), Middle(y)));
+          samples_[i]
+              ? scene_.ModelLight(*samples_[i], lighting[InBlock(x, y)], Middle(x), Middle(y))
+              : scene_.BackdropLight(Middle(x), Middle(y)));
       PutLayers(x, y);
     });
   });
@@ -140,21 +144,18 @@ void Painter::TraceBlock(const Block& block) {
   });
 }
 
-void Painter::GatherAt(int x, int y) {
-  const std::size_t i = Index(x, y);
-  if (samples_[i]) lighting_[i] = scene_.Gather(*samples_[i]);
-}
-
 /// Gathers light at a lattice of pixels, and between them blends those on the same sheet: light
 /// that comes from large areas varies slowly.
-void Painter::GatherBlock(const Block& block) {
+Painter::BlockLighting Painter::GatherBlock(const Block& block) const {
+  BlockLighting lighting;
   const auto is_node = [](int i, int begin, int end) {
     return (i - begin) % kLattice == 0 || i == end - 1;
   };
   ForParts(block, 1, [&](const Block& pixel) {
     if (is_node(pixel.left, block.left, block.right) &&
         is_node(pixel.top, block.top, block.bottom)) {
-      GatherAt(pixel.left, pixel.top);
+      const auto& sample = samples_[Index(pixel.left, pixel.top)];
+      if (sample) lighting[InBlock(pixel.left, pixel.top)] = scene_.Gather(*sample);
     }
   });
   ForParts(block, 1, [&](const Block& pixel) {
@@ -164,12 +165,14 @@ void Painter::GatherBlock(const Block& block) {
     const int left = x - (x - block.left) % kLattice, top = y - (y - block.top) % kLattice;
     const Block cell{left, top, std::min(left + kLattice, block.right - 1),
                      std::min(top + kLattice, block.bottom - 1)};
-    lighting_[Index(x, y)] = BlendedLighting(x, y, cell);
+    lighting[InBlock(x, y)] = BlendedLighting(x, y, cell, lighting);
   });
+  return lighting;
 }
 
 /// Bilinear between the cell's corners, those on other sheets left out.
-Lighting Painter::BlendedLighting(int x, int y, const Block& cell) {
+Lighting Painter::BlendedLighting(int x, int y, const Block& cell,
+                                  const BlockLighting& lighting) const {
   const auto& here = samples_[Index(x, y)];
   const auto share = [](int i, int low, int high) {
     return high > low ? static_cast<float>(i - low) / static_cast<float>(high - low) : 0.F;
@@ -183,7 +186,7 @@ Lighting Painter::BlendedLighting(int x, int y, const Block& cell) {
                                        {cell.right, cell.bottom, u * v}}) {
     const std::size_t there = Index(nx, ny);
     if (weight == 0 || !OnOneSheet(here, samples_[there], kSmoothCosine)) continue;
-    sum += lighting_[there] * weight;
+    sum += lighting[InBlock(nx, ny)] * weight;
     total += weight;
   }
   if (total < kLeastShare) return scene_.Gather(*here);

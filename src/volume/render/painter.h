@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -27,6 +28,8 @@ class Painter {
   struct Block {
     int left, top, right, bottom;
   };
+  static constexpr int kBlock = 8;  ///< pixels that share the way through empty space, and a task
+  using BlockLighting = std::array<Lighting, kBlock * kBlock>;
 
   template <typename PerBlock>
   void ForBlocks(const PerBlock& per_block);
@@ -35,14 +38,14 @@ class Painter {
   static void ForParts(const Block& block, int size, const PerPart& per_part);
 
   void TraceBlock(const Block& block);
-  void GatherBlock(const Block& block);
-  void GatherAt(int x, int y);
-  Lighting BlendedLighting(int x, int y, const Block& cell);
+  BlockLighting GatherBlock(const Block& block) const;
+  Lighting BlendedLighting(int x, int y, const Block& cell, const BlockLighting& lighting) const;
   bool IsEdge(int x, int y) const;
   Light EdgeLight(int x, int y) const;
   void Put(int x, int y, const Light& light);
   void PutLayers(int x, int y);
 
+  static std::size_t InBlock(int x, int y) noexcept;
   std::size_t Index(int x, int y) const noexcept;
   std::size_t QuadIndex(int x, int y) const noexcept;
 
@@ -51,7 +54,6 @@ class Painter {
   Layers layers_;
   std::vector<float> free_;  ///< how far the rays of each quad of pixels are free
   std::vector<std::optional<Sample>> samples_;
-  std::vector<Lighting> lighting_;
   Picture picture_;
 };
 

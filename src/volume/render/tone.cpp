@@ -6,8 +6,8 @@
 namespace lascaux {
 namespace {
 
-const Color kPaperMiddle(0.905F, 0.893F, 0.872F);
-const Color kCorner(0.745F, 0.728F, 0.700F);
+const Color kPaperMiddle(0.86F, 0.845F, 0.82F);
+const Color kCorner(0.65F, 0.63F, 0.60F);
 const Color kShadowTint(0.10F, 0.085F, 0.08F);  // light that every shadow keeps
 
 constexpr float kShoulder = 0.55F;  // where bright tones begin to roll off
