@@ -14,9 +14,9 @@ namespace {
 using Eigen::Vector2d;
 
 /// The tips of a pair in mid-step, seen from the limb's top, stay within this angle ...
-constexpr double kMaxSwing = 80 * std::numbers::pi / 180;
+constexpr double kMaxSwing = 95 * std::numbers::pi / 180;
 /// ... and all differences together below this (radians; one e-fold of distance counts for two).
-constexpr double kMaxUnlikeness = 2.5;
+constexpr double kMaxUnlikeness = 2.7;
 /// A further piece of a far side has to be more alike than the far side itself: it is only hidden
 /// in between.
 constexpr double kMaxPieceUnlikeness = 1.2;

@@ -18,7 +18,7 @@ constexpr double kMostSwing = std::numbers::pi / 3;
 /// beside a cell is a jaw or a tail.
 const double kLeastSlope = std::sin(35 * std::numbers::pi / 180);
 /// A limb reaches this many times the width of its root.
-constexpr double kLeastReach = 1.15;
+constexpr double kLeastReach = 1.1;
 /// Share of the diagonal: narrower is a hair.
 constexpr double kLeastWidth = 0.012;
 /// How far around, in lengths of the cell's own outline, the near limb may go.

@@ -27,10 +27,10 @@ constexpr double kLeastReach = 1.2;
 /// curve's direction.
 constexpr double kAlong = std::numbers::pi / 3.6;
 /// Width of the root, share of the diagonal: below it is a hair, above it is half the animal.
-constexpr double kLeastWidth = 0.015, kMostWidth = 0.22;
+constexpr double kLeastWidth = 0.015, kMostWidth = 0.26;
 /// How much wider than at its narrowest the root may be at a corner or junction that is taken for
 /// its end.
-constexpr double kFeatureSlack = 1.3;
+constexpr double kFeatureSlack = 1.15;
 /// One curve alone is weak evidence: only of legs is it common. A leg reaches the lowest part of
 /// the drawing, this share of its height.
 constexpr double kGround = 0.35;
