@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Draws each drawing of some folders again, less well or differently, and says how often it is still read as the original is.
 
-    scripts/measure_variants.py examples [FOLDER or SKETCH.svg ...] [--times N] [--seed N] [--keep FOLDER] [--list]
+    scripts/measure_variants.py examples [FOLDER or SKETCH.svg ...] [--times N] [--only KIND] [--keep FOLDER] [--list]
 
 Nothing is built. A variant is read like its original when parts have the same roles, relations and partners. The first group
 below changes nothing that is seen, so it must always be; the second is what hands do. --list names those that are read otherwise,
@@ -235,6 +235,7 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("drawings", nargs="+", type=pathlib.Path, help="folders, or SVG files")
     parser.add_argument("--times", type=int, default=4, help="variants of each kind that knows chance")
+    parser.add_argument("--only", default="", help="kinds whose names hold this")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--keep", type=pathlib.Path, help="a folder for the variants that are read otherwise")
     parser.add_argument("--list", action="store_true", help="name those")
@@ -257,6 +258,8 @@ def main():
                      if not isinstance(found, str)]
         print(f"{'variant of ' + str(len(originals)) + ' drawings':28}  same  of")
         for name, vary in UNSEEN + BY_HAND:
+            if arguments.only not in name:
+                continue
             same, tried, other = 0, 0, []
             jobs = []
             for sketch, found, strokes in originals:

@@ -91,6 +91,31 @@ TEST(PlanarMap, EndNearALineIsAJunctionOnIt) {
   EXPECT_FALSE(Has(map.diagnostics(), "gap-closed"));
 }
 
+/// A square with six lines across it that begin and end so far from its sides.
+Sketch Ladder(double left, double right) {
+  Sketch ladder = SketchOf({Loop(kSquare)});
+  for (int k = 1; k <= 6; ++k)
+    ladder.strokes.push_back(Straight({{left, 14.0 * k}, {100 - right, 14.0 * k}}));
+  return ladder;
+}
+
+TEST(PlanarMap, WhereMostEndsMissALineTheyAreMeantToMeetIt) {
+  // 1.3 % of the diagonal, which is a suggestive curve's open end where others meet exactly.
+  const auto by_hand = BuildPlanarMap(Ladder(1.84, 1.84)), exact = BuildPlanarMap(Ladder(0, 1.84));
+  ASSERT_TRUE(by_hand && exact);
+  EXPECT_EQ(Count(*by_hand, CycleKind::kBorder), 7);
+  EXPECT_EQ(Count(*exact, CycleKind::kBorder), 1);
+}
+
+TEST(PlanarMap, EndsThatMeetInOnePlaceAreOneNode) {
+  // Two by two they are nearer to each other than the pairs are.
+  const auto map = BuildPlanarMap(SketchOf(
+      {Loop(kSquare), Straight({{0, 40}, {49.9, 40}}), Straight({{49.9, 100}, {49.9, 40.1}}),
+       Straight({{50.3, 0}, {50.3, 39.9}}), Straight({{100, 40}, {50.4, 40}})}));
+  ASSERT_TRUE(map);
+  EXPECT_EQ(Count(*map, CycleKind::kBorder), 4);
+}
+
 TEST(PlanarMap, OvershootLeavesNoSpur) {
   const auto map = BuildPlanarMap(SketchOf({Loop(kSquare), Straight({{-0.5, 40}, {100.5, 40}})}));
   ASSERT_TRUE(map);

@@ -26,8 +26,11 @@ inline constexpr int kMaxCrossings = 200'000;
 
 /// Moves ends that are near another line onto it (§4.1: curves are connected at nodes).
 ///
-/// An end that already crosses another line within its snap radius stays: its overshoot is a spur.
-std::vector<ArrangementLine> SnapEnds(std::vector<ArrangementLine> lines, double diagonal);
+/// Ends look as far as their line's snap radius, and farther, up to `most`, in a drawing where many
+/// ends miss the line that they are nearest to. What they look as far as is the lines' snap radius
+/// afterwards. An end that already crosses another line within it stays: its overshoot is a spur.
+std::vector<ArrangementLine> SnapEnds(std::vector<ArrangementLine> lines, double diagonal,
+                                      double most);
 
 /// Cuts the lines at their ends, touches and crossings, and removes spurs (dangling pieces shorter
 /// than their line's snap radius).

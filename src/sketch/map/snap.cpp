@@ -11,6 +11,16 @@ namespace {
 
 using Eigen::Vector2d;
 
+/// An end that is no farther than this share of the diagonal from another line may be meant to meet
+/// it; most others are a suggestive curve's.
+constexpr double kOpen = 0.03;
+/// Ends that have to be that near before anything is said of the hand that drew them; with more
+/// ends than the other number lines are everywhere.
+constexpr std::size_t kFewestEnds = 8, kMostEnds = 1000;
+/// Of ends that a hand lets miss by a median distance nearly all miss by less than so many times
+/// it.
+constexpr double kMedians = 3.5;
+
 /// One end of an open line.
 struct LineEnd {
   int line = 0;
@@ -18,9 +28,8 @@ struct LineEnd {
   Vector2d position;
 };
 
-/// Where an end goes: onto another end, or onto a point of a line.
+/// The point of a line that an end goes onto.
 struct SnapTarget {
-  std::optional<int> end;
   Vector2d point;
   double distance = 0;
 };
@@ -94,7 +103,7 @@ std::optional<SnapTarget> NearestLine(const Polyline& points, const LineEnd& end
     const Vector2d point =
         other.a + NearestParameter(other.a, other.b, end.position) * (other.b - other.a);
     const double distance = (point - end.position).norm();
-    if (distance <= radius && (!best || distance < best->distance)) best = {{}, point, distance};
+    if (distance <= radius && (!best || distance < best->distance)) best = {point, distance};
   });
   return best;
 }
@@ -107,21 +116,16 @@ class EndIndex {
     std::stable_sort(order_.begin(), order_.end(), [&](int a, int b) { return X(a) < X(b); });
   }
 
-  /// The nearest other end within `radius`; the first in drawing order among equals.
-  std::optional<SnapTarget> Nearest(int self, double radius) const {
+  /// Calls visit(other) for all other ends within `radius`.
+  template <typename Visit>
+  void ForEachWithin(int self, double radius, Visit&& visit) const {
     const Vector2d& at = ends_[static_cast<std::size_t>(self)].position;
     auto i = std::lower_bound(order_.begin(), order_.end(), at.x() - radius,
                               [&](int e, double x) { return X(e) < x; });
-    std::optional<SnapTarget> best;
     for (; i != order_.end() && X(*i) <= at.x() + radius; ++i) {
-      if (*i == self) continue;
-      const Vector2d& other = ends_[static_cast<std::size_t>(*i)].position;
-      const double distance = (other - at).norm();
-      const bool nearer =
-          !best || distance < best->distance || (distance == best->distance && *i < *best->end);
-      if (distance <= radius && nearer) best = {*i, other, distance};
+      const double distance = (ends_[static_cast<std::size_t>(*i)].position - at).norm();
+      if (*i != self && distance <= radius) visit(*i);
     }
-    return best;
   }
 
  private:
@@ -130,6 +134,26 @@ class EndIndex {
   const std::vector<LineEnd>& ends_;
   std::vector<int> order_;
 };
+
+/// How far ends that are meant to meet a line miss it: the median; 0 where few are near any. Lines
+/// that were made by a program meet exactly, so nearly half of them may end near others on purpose.
+double MedianMiss(const std::vector<ArrangementLine>& lines, const std::vector<LineEnd>& ends,
+                  const SegmentGrid& grid, double diagonal) {
+  std::vector<double> misses;
+  if (ends.size() > kMostEnds) return 0;
+  for (const LineEnd& end : ends) {
+    const ArrangementLine& line = lines[static_cast<std::size_t>(end.line)];
+    for (const double radius : {1e-4 * diagonal, kOpen * diagonal}) {
+      const auto nearest = NearestLine(line.points, end, radius, grid);
+      if (nearest) misses.push_back(nearest->distance);
+      if (nearest) break;
+    }
+  }
+  if (misses.size() < kFewestEnds) return 0;
+  const auto middle = misses.begin() + static_cast<std::ptrdiff_t>((misses.size() - 1) / 2);
+  std::nth_element(misses.begin(), middle, misses.end());
+  return *middle;
+}
 
 int Root(std::vector<int>& parent, int i) {
   while (parent[static_cast<std::size_t>(i)] != i) {
@@ -155,7 +179,8 @@ void MoveEnd(Polyline& points, const LineEnd& end, const Vector2d& target, doubl
 
 }  // namespace
 
-std::vector<ArrangementLine> SnapEnds(std::vector<ArrangementLine> lines, double diagonal) {
+std::vector<ArrangementLine> SnapEnds(std::vector<ArrangementLine> lines, double diagonal,
+                                      double most) {
   std::vector<SegmentRef> segments;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     for (std::size_t k = 0; k + 1 < lines[i].points.size(); ++k) {
@@ -166,6 +191,8 @@ std::vector<ArrangementLine> SnapEnds(std::vector<ArrangementLine> lines, double
   const SegmentGrid grid(std::move(segments));
   const std::vector<LineEnd> ends = EndsOf(lines);
   const EndIndex index(ends);
+  const double hand = std::min(most, kMedians * MedianMiss(lines, ends, grid, diagonal));
+  for (ArrangementLine& line : lines) line.snap = std::max(line.snap, hand);
   std::vector<int> cluster(ends.size());
   std::iota(cluster.begin(), cluster.end(), 0);
   std::vector<std::optional<Vector2d>> onto(ends.size());
@@ -175,14 +202,14 @@ std::vector<ArrangementLine> SnapEnds(std::vector<ArrangementLine> lines, double
     const double own_length = Length(line.points);
     // An end that meets an end is a corner, whatever else is near; ties of one line with itself
     // need a real loop.
-    if (auto end = index.Nearest(static_cast<int>(e), line.snap)) {
-      const bool loop = ends[static_cast<std::size_t>(*end->end)].line == ends[e].line;
-      if (!loop || own_length > 6 * line.snap) {
-        cluster[static_cast<std::size_t>(Root(cluster, static_cast<int>(e)))] =
-            Root(cluster, *end->end);
-        continue;
-      }
-    }
+    bool meets_end = false;
+    index.ForEachWithin(static_cast<int>(e), line.snap, [&](int other) {
+      const bool loop = ends[static_cast<std::size_t>(other)].line == ends[e].line;
+      if (loop && own_length <= 6 * line.snap) return;
+      cluster[static_cast<std::size_t>(Root(cluster, static_cast<int>(e)))] = Root(cluster, other);
+      meets_end = true;
+    });
+    if (meets_end) continue;
     if (Overshoots(line.points, ends[e], line.snap, grid)) continue;
     if (const auto target = NearestLine(line.points, ends[e], line.snap, grid))
       onto[e] = target->point;
