@@ -216,6 +216,18 @@ TEST(PlanarMap, EndThatStopsJustBeforeTheLineThatItPointsAtMeetsIt) {
   EXPECT_EQ(FreeEnds(*limb), 2);
 }
 
+TEST(PlanarMap, EndsInsideThatPointAtEachOtherAreOneLine) {
+  // 2.1 % of the diagonal apart; a limb's curves that lean towards each other stay open.
+  const auto line = BuildPlanarMap(
+      SketchOf({Loop(kSquare), Straight({{0, 40}, {40, 41}}), Straight({{43, 41}, {100, 40}})}));
+  const auto limb = BuildPlanarMap(
+      SketchOf({Loop(kSquare), Straight({{30, 100}, {36, 70}}), Straight({{45, 100}, {39, 70}})}));
+  ASSERT_TRUE(line && limb);
+  EXPECT_EQ(Count(*line, CycleKind::kBorder), 2);
+  EXPECT_TRUE(Has(line.diagnostics(), "gap-closed"));
+  EXPECT_EQ(FreeEnds(*limb), 2);
+}
+
 TEST(PlanarMap, OvershootBeyondTheSnapRadiusLeavesNoSpur) {
   const auto map = BuildPlanarMap(SketchOf({Loop(kSquare), Straight({{-1.4, 40}, {101.4, 40}})}));
   ASSERT_TRUE(map);

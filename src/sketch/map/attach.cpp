@@ -1,9 +1,11 @@
 #include "sketch/map/attach.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "sketch/map/polyline.h"
@@ -15,11 +17,15 @@ namespace {
 /// ends snap whichever way they point.
 constexpr double kSlip = 0.01;
 constexpr double kSlipTurn = std::numbers::pi / 5;
+/// Two ends that point at each other are a line that has a gap. Those of a limb's two curves, whose
+/// arch is as wide as a gap of this share, turn more.
+constexpr double kBroken = 0.03;
+constexpr double kBrokenTurn = std::numbers::pi / 12;
 /// The better end of a path that is free at both.
 constexpr double kLoose = 0.025;
 constexpr double kLooseTurn = std::numbers::pi / 3;
-/// How many gaps long such a path is at least, and of which share of the diagonal: shorter ones are
-/// eyes and wrinkles.
+/// How many gaps long such paths are at least (of a line that has a gap one of the two), and those
+/// that are free at both ends of which share of the diagonal: shorter ones are eyes and wrinkles.
 constexpr double kGaps = 4;
 constexpr double kShortest = 0.05;
 
@@ -51,10 +57,18 @@ std::vector<Closure> FindAttachments(const PlanarMap& map) {
   const double size = map.diagonal;
   std::vector<Closure> chosen;
   std::map<int, Closure> best_of_loose;  // by the lesser edge at the path's two ends
+  std::set<std::array<double, 2>> joined;
   std::optional<int> tip;
   for (const Closure& c : FindClosures(
-           map, {.side = ClosureSide::kInside, .reach = kLoose * size, .max_turn = kLooseTurn})) {
+           map, {.side = ClosureSide::kInside, .reach = kBroken * size, .max_turn = kLooseTurn})) {
     const Path path = PathFrom(map, c.half_edge);
+    if (!c.to_direction.isZero(0) && c.turn <= kBrokenTurn && path.length >= kGaps * c.Length()) {
+      // Each such closure is found from both of its ends.
+      const bool is_new = joined.insert({c.from.x(), c.from.y()}).second;
+      if (is_new && joined.insert({c.to.x(), c.to.y()}).second) chosen.push_back(c);
+      continue;
+    }
+    if (c.Length() > kLoose * size) continue;
     const bool is_slip = c.Length() <= kSlip * size && c.turn <= kSlipTurn;
     if (!path.is_loose) {
       // The tips of a limb's two curves don't meet: it would be cut off.
