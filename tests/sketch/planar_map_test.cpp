@@ -116,6 +116,13 @@ TEST(PlanarMap, EndsThatMeetInOnePlaceAreOneNode) {
   EXPECT_EQ(Count(*map, CycleKind::kBorder), 4);
 }
 
+TEST(PlanarMap, EndsThatMeetBesideALineMeetOnIt) {
+  const auto map = BuildPlanarMap(SketchOf(
+      {Loop(kSquare), Straight({{0.1, 40}, {100, 20}}), Straight({{0.2, 40.1}, {100, 60}})}));
+  ASSERT_TRUE(map);
+  EXPECT_EQ(Count(*map, CycleKind::kBorder), 3);
+}
+
 TEST(PlanarMap, OvershootLeavesNoSpur) {
   const auto map = BuildPlanarMap(SketchOf({Loop(kSquare), Straight({{-0.5, 40}, {100.5, 40}})}));
   ASSERT_TRUE(map);
@@ -177,6 +184,17 @@ TEST(PlanarMap, WideGapOfAHeadIsClosedThoughABodyIsEnclosed) {
   ASSERT_TRUE(map);
   EXPECT_TRUE(Has(map.diagnostics(), "gap-closed"));
   EXPECT_EQ(Count(*map, CycleKind::kBorder), 2);
+}
+
+TEST(PlanarMap, LegThatTouchesTheBodyAlmostClosesIt) {
+  // Suggestive curves begin at both corners of the body beside it, so no end there is free.
+  const auto map = BuildPlanarMap(
+      SketchOf({Straight({{40, 100}, {0, 100}, {0, 0}, {100, 0}, {100, 100}, {60, 100}}),
+                Straight({{40, 100}, {42, 60}}), Straight({{60, 100}, {58, 60}}),
+                Loop({{40, 101.5}, {60, 101.5}, {58, 140}, {42, 140}})}));
+  ASSERT_TRUE(map);
+  EXPECT_EQ(Count(*map, CycleKind::kBorder), 2);
+  EXPECT_NEAR(LargestArea(*map), 10'030, 10);
 }
 
 TEST(PlanarMap, LineMayCloseOntoItself) {

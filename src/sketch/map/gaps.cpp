@@ -10,6 +10,7 @@
 
 #include "sketch/map/attach.h"
 #include "sketch/map/closures.h"
+#include "sketch/map/contacts.h"
 #include "sketch/map/enclosure.h"
 #include "sketch/map/open_legs.h"
 #include "sketch/map/outer_walk.h"
@@ -181,6 +182,13 @@ Outcome<int> Draw(Working& work, const std::vector<Closure>& closures) {
   return {static_cast<int>(closures.size()), std::move(log)};
 }
 
+/// What may close the outline within the search.
+std::vector<Closure> Candidates(const PlanarMap& map, const ClosureSearch& search) {
+  std::vector<Closure> candidates = FindClosures(map, search);
+  for (const Closure& contact : FindContacts(map)) candidates.push_back(contact);
+  return candidates;
+}
+
 /// Draws those closures that are worth it together; their number.
 Outcome<int> DrawBest(Working& work, const std::vector<Closure>& found) {
   if (found.empty()) return 0;
@@ -201,11 +209,11 @@ Outcome<PlanarMap> CloseGaps(PlanarMap map, std::vector<ArrangementLine> lines,
   Working work{std::move(map), std::move(lines)};
   const double size = work.map.diagonal;
   const ClosureSearch narrow{.reach = options.bridge * size, .max_turn = kMaxTurn};
-  if (!DrawBest(work, FindClosures(work.map, narrow)).MoveInto(log))
+  if (!DrawBest(work, Candidates(work.map, narrow)).MoveInto(log))
     return Result::Failure(std::move(log));
   if (FreeEnds(work.map) <= kMostEnds && !EnclosesAnimal(work.map)) {
     const ClosureSearch wide{.reach = options.bridge_max * size, .max_turn = std::numbers::pi};
-    if (!DrawBest(work, FindClosures(work.map, wide)).MoveInto(log))
+    if (!DrawBest(work, Candidates(work.map, wide)).MoveInto(log))
       return Result::Failure(std::move(log));
   }
   const double least = kLeastBodyShare * BoxArea(work.map);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "sketch/map/arrangement.h"
 #include "sketch/map/segment_grid.h"
@@ -92,20 +93,28 @@ bool Overshoots(const Polyline& points, const LineEnd& end, double radius,
   return crosses;
 }
 
-/// The nearest other line, or far part of the same line, within `radius`.
-std::optional<SnapTarget> NearestLine(const Polyline& points, const LineEnd& end, double radius,
-                                      const SegmentGrid& grid) {
-  const int own = ReachFromEnd(points, end, 3 * radius);
+/// The nearest place of a line within `radius`, without segments that are skipped.
+template <typename Skip>
+std::optional<SnapTarget> NearestLine(const Vector2d& place, double radius, const SegmentGrid& grid,
+                                      Skip&& skip) {
   std::optional<SnapTarget> best;
-  grid.ForEachIn(BoxAround(end.position, radius), [&](int s) {
+  grid.ForEachIn(BoxAround(place, radius), [&](int s) {
     const SegmentRef& other = grid.segments()[static_cast<std::size_t>(s)];
-    if (IsNearOwnEnd(other, end, own)) return;
+    if (skip(other)) return;
     const Vector2d point =
-        other.a + NearestParameter(other.a, other.b, end.position) * (other.b - other.a);
-    const double distance = (point - end.position).norm();
+        other.a + NearestParameter(other.a, other.b, place) * (other.b - other.a);
+    const double distance = (point - place).norm();
     if (distance <= radius && (!best || distance < best->distance)) best = {point, distance};
   });
   return best;
+}
+
+/// The nearest other line, or far part of the same line.
+std::optional<SnapTarget> NearestOther(const Polyline& points, const LineEnd& end, double radius,
+                                       const SegmentGrid& grid) {
+  const int own = ReachFromEnd(points, end, 3 * radius);
+  return NearestLine(end.position, radius, grid,
+                     [&](const SegmentRef& s) { return IsNearOwnEnd(s, end, own); });
 }
 
 /// Ends in the order of x, so that those near another are found in a narrow window.
@@ -144,7 +153,7 @@ double MedianMiss(const std::vector<ArrangementLine>& lines, const std::vector<L
   for (const LineEnd& end : ends) {
     const ArrangementLine& line = lines[static_cast<std::size_t>(end.line)];
     for (const double radius : {1e-4 * diagonal, kOpen * diagonal}) {
-      const auto nearest = NearestLine(line.points, end, radius, grid);
+      const auto nearest = NearestOther(line.points, end, radius, grid);
       if (nearest) misses.push_back(nearest->distance);
       if (nearest) break;
     }
@@ -197,22 +206,33 @@ std::vector<ArrangementLine> SnapEnds(std::vector<ArrangementLine> lines, double
   std::iota(cluster.begin(), cluster.end(), 0);
   std::vector<std::optional<Vector2d>> onto(ends.size());
 
+  std::vector<bool> meets_end(ends.size(), false);
   for (std::size_t e = 0; e < ends.size(); ++e) {
     const ArrangementLine& line = lines[static_cast<std::size_t>(ends[e].line)];
-    const double own_length = Length(line.points);
-    // An end that meets an end is a corner, whatever else is near; ties of one line with itself
-    // need a real loop.
-    bool meets_end = false;
+    // Ties of one line with itself need a real loop.
+    const bool may_loop = Length(line.points) > 6 * line.snap;
     index.ForEachWithin(static_cast<int>(e), line.snap, [&](int other) {
-      const bool loop = ends[static_cast<std::size_t>(other)].line == ends[e].line;
-      if (loop && own_length <= 6 * line.snap) return;
+      if (ends[static_cast<std::size_t>(other)].line == ends[e].line && !may_loop) return;
       cluster[static_cast<std::size_t>(Root(cluster, static_cast<int>(e)))] = Root(cluster, other);
-      meets_end = true;
+      meets_end[e] = meets_end[static_cast<std::size_t>(other)] = true;
     });
-    if (meets_end) continue;
+  }
+  std::vector<std::pair<int, int>> lines_of;  // of each cluster, all that end in it
+  for (std::size_t e = 0; e < ends.size(); ++e)
+    lines_of.emplace_back(Root(cluster, static_cast<int>(e)), ends[e].line);
+  std::sort(lines_of.begin(), lines_of.end());
+  for (std::size_t e = 0; e < ends.size(); ++e) {
+    const ArrangementLine& line = lines[static_cast<std::size_t>(ends[e].line)];
     if (Overshoots(line.points, ends[e], line.snap, grid)) continue;
-    if (const auto target = NearestLine(line.points, ends[e], line.snap, grid))
-      onto[e] = target->point;
+    // Where ends meet is a corner; all of it lies on another line if one is near.
+    const int corner = Root(cluster, static_cast<int>(e));
+    const auto target =
+        !meets_end[e] ? NearestOther(line.points, ends[e], line.snap, grid)
+                      : NearestLine(ends[e].position, line.snap, grid, [&](const SegmentRef& s) {
+                          return std::binary_search(lines_of.begin(), lines_of.end(),
+                                                    std::pair(corner, s.line));
+                        });
+    if (target) onto[e] = target->point;
   }
   // A cluster of ends meets at the first of them that has a line to lie on, else at the first.
   std::vector<std::optional<Vector2d>> meeting(ends.size());
