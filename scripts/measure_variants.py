@@ -223,7 +223,8 @@ def write(strokes, path):
         else:
             way += "".join("C" + " ".join(f"{x:.9g},{y:.9g}" for x, y in piece[1:])
                            for piece in stroke["pieces"])
-        lines.append(f'<path d="{way}" stroke-width="{stroke["width"]:.6g}"/>')
+        width = stroke["width"] or 1e-3 * margin  # the outlines of areas have none
+        lines.append(f'<path d="{way}" stroke-width="{width:.6g}"/>')
     path.write_text(
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{x0 - margin:.9g} {y0 - margin:.9g} '
         f'{x1 - x0 + 2 * margin:.9g} {y1 - y0 + 2 * margin:.9g}"><g fill="none" stroke="#000" '
