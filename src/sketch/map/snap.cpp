@@ -125,7 +125,7 @@ class EndIndex {
     std::stable_sort(order_.begin(), order_.end(), [&](int a, int b) { return X(a) < X(b); });
   }
 
-  /// Calls visit(other) for all other ends within `radius`.
+  /// Calls visit(other, distance) for all other ends within `radius`.
   template <typename Visit>
   void ForEachWithin(int self, double radius, Visit&& visit) const {
     const Vector2d& at = ends_[static_cast<std::size_t>(self)].position;
@@ -133,7 +133,7 @@ class EndIndex {
                               [&](int e, double x) { return X(e) < x; });
     for (; i != order_.end() && X(*i) <= at.x() + radius; ++i) {
       const double distance = (ends_[static_cast<std::size_t>(*i)].position - at).norm();
-      if (*i != self && distance <= radius) visit(*i);
+      if (*i != self && distance <= radius) visit(*i, distance);
     }
   }
 
@@ -164,13 +164,80 @@ double MedianMiss(const std::vector<ArrangementLine>& lines, const std::vector<L
   return *middle;
 }
 
-int Root(std::vector<int>& parent, int i) {
-  while (parent[static_cast<std::size_t>(i)] != i) {
-    i = parent[static_cast<std::size_t>(i)] =
-        parent[static_cast<std::size_t>(parent[static_cast<std::size_t>(i)])];
+/// Which ends meet: those near each other, together in a place no wider than they look far. Of many
+/// ends in a row not all are drawn into one.
+class Corners {
+ public:
+  Corners(const std::vector<ArrangementLine>& lines, const std::vector<LineEnd>& ends,
+          const EndIndex& index)
+      : lines_(lines),
+        ends_(ends),
+        parent_(ends.size()),
+        count_(ends.size(), 1),
+        box_(ends.size()) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+    for (std::size_t e = 0; e < ends.size(); ++e) box_[e].extend(ends[e].position);
+    std::vector<std::optional<std::pair<double, int>>> nearest(ends.size());
+    for (int e = 0; e < static_cast<int>(ends.size()); ++e) {
+      auto& best = nearest[static_cast<std::size_t>(e)];
+      index.ForEachWithin(e, Snap(e), [&](int other, double distance) {
+        const std::pair candidate(distance, other);
+        if (MayMeet(e, other) && (!best || candidate < *best)) best = candidate;
+      });
+    }
+    for (int e = 0; e < static_cast<int>(ends.size()); ++e) {
+      if (const auto& best = nearest[static_cast<std::size_t>(e)]) Join(e, best->second);
+    }
+    for (int e = 0; e < static_cast<int>(ends.size()); ++e) {
+      index.ForEachWithin(e, Snap(e), [&](int other, double) {
+        if (MayMeet(e, other)) Join(e, other);
+      });
+    }
   }
-  return i;
-}
+
+  /// The number of the corner that an end is at.
+  int Of(int end) {
+    while (parent_[static_cast<std::size_t>(end)] != end) {
+      int& up = parent_[static_cast<std::size_t>(end)];
+      up = parent_[static_cast<std::size_t>(up)];
+      end = up;
+    }
+    return end;
+  }
+
+  bool IsShared(int end) { return count_[static_cast<std::size_t>(Of(end))] > 1; }
+
+ private:
+  double Snap(int end) const { return LineOf(end).snap; }
+
+  const ArrangementLine& LineOf(int end) const {
+    return lines_[static_cast<std::size_t>(ends_[static_cast<std::size_t>(end)].line)];
+  }
+
+  /// Ties of one line with itself need a real loop.
+  bool MayMeet(int end, int other) const {
+    return ends_[static_cast<std::size_t>(end)].line !=
+               ends_[static_cast<std::size_t>(other)].line ||
+           Length(LineOf(end).points) > 6 * Snap(end);
+  }
+
+  void Join(int end, int other) {
+    const int a = Of(end), b = Of(other);
+    if (a == b) return;
+    const Eigen::AlignedBox2d both =
+        box_[static_cast<std::size_t>(a)].merged(box_[static_cast<std::size_t>(b)]);
+    if (both.diagonal().norm() > Snap(end)) return;
+    parent_[static_cast<std::size_t>(a)] = b;
+    box_[static_cast<std::size_t>(b)] = both;
+    count_[static_cast<std::size_t>(b)] += count_[static_cast<std::size_t>(a)];
+  }
+
+  const std::vector<ArrangementLine>& lines_;
+  const std::vector<LineEnd>& ends_;
+  std::vector<int> parent_;
+  std::vector<int> count_;                ///< of the ends of a corner, by its number
+  std::vector<Eigen::AlignedBox2d> box_;  ///< around the ends of a corner, by its number
+};
 
 void MoveEnd(Polyline& points, const LineEnd& end, const Vector2d& target, double tiny) {
   if (end.at_back) std::reverse(points.begin(), points.end());
@@ -202,48 +269,36 @@ std::vector<ArrangementLine> SnapEnds(std::vector<ArrangementLine> lines, double
   const EndIndex index(ends);
   const double hand = std::min(most, kMedians * MedianMiss(lines, ends, grid, diagonal));
   for (ArrangementLine& line : lines) line.snap = std::max(line.snap, hand);
-  std::vector<int> cluster(ends.size());
-  std::iota(cluster.begin(), cluster.end(), 0);
-  std::vector<std::optional<Vector2d>> onto(ends.size());
-
-  std::vector<bool> meets_end(ends.size(), false);
-  for (std::size_t e = 0; e < ends.size(); ++e) {
-    const ArrangementLine& line = lines[static_cast<std::size_t>(ends[e].line)];
-    // Ties of one line with itself need a real loop.
-    const bool may_loop = Length(line.points) > 6 * line.snap;
-    index.ForEachWithin(static_cast<int>(e), line.snap, [&](int other) {
-      if (ends[static_cast<std::size_t>(other)].line == ends[e].line && !may_loop) return;
-      cluster[static_cast<std::size_t>(Root(cluster, static_cast<int>(e)))] = Root(cluster, other);
-      meets_end[e] = meets_end[static_cast<std::size_t>(other)] = true;
-    });
-  }
-  std::vector<std::pair<int, int>> lines_of;  // of each cluster, all that end in it
+  Corners corners(lines, ends, index);
+  std::vector<std::pair<int, int>> lines_of;  // of each corner, all that end there
   for (std::size_t e = 0; e < ends.size(); ++e)
-    lines_of.emplace_back(Root(cluster, static_cast<int>(e)), ends[e].line);
+    lines_of.emplace_back(corners.Of(static_cast<int>(e)), ends[e].line);
   std::sort(lines_of.begin(), lines_of.end());
+  std::vector<std::optional<Vector2d>> onto(ends.size());
   for (std::size_t e = 0; e < ends.size(); ++e) {
     const ArrangementLine& line = lines[static_cast<std::size_t>(ends[e].line)];
     if (Overshoots(line.points, ends[e], line.snap, grid)) continue;
     // Where ends meet is a corner; all of it lies on another line if one is near.
-    const int corner = Root(cluster, static_cast<int>(e));
+    const int corner = corners.Of(static_cast<int>(e));
     const auto target =
-        !meets_end[e] ? NearestOther(line.points, ends[e], line.snap, grid)
-                      : NearestLine(ends[e].position, line.snap, grid, [&](const SegmentRef& s) {
-                          return std::binary_search(lines_of.begin(), lines_of.end(),
-                                                    std::pair(corner, s.line));
-                        });
+        !corners.IsShared(static_cast<int>(e))
+            ? NearestOther(line.points, ends[e], line.snap, grid)
+            : NearestLine(ends[e].position, line.snap, grid, [&](const SegmentRef& s) {
+                return std::binary_search(lines_of.begin(), lines_of.end(),
+                                          std::pair(corner, s.line));
+              });
     if (target) onto[e] = target->point;
   }
-  // A cluster of ends meets at the first of them that has a line to lie on, else at the first.
+  // The ends of a corner meet at the first of them that has a line to lie on, else at the first.
   std::vector<std::optional<Vector2d>> meeting(ends.size());
   for (std::size_t e = 0; e < ends.size(); ++e) {
-    auto& at = meeting[static_cast<std::size_t>(Root(cluster, static_cast<int>(e)))];
+    auto& at = meeting[static_cast<std::size_t>(corners.Of(static_cast<int>(e)))];
     if (!at) at = onto[e] ? *onto[e] : ends[e].position;
   }
   const double tiny = 1e-5 * diagonal;
   for (std::size_t e = 0; e < ends.size(); ++e) {
     MoveEnd(lines[static_cast<std::size_t>(ends[e].line)].points, ends[e],
-            *meeting[static_cast<std::size_t>(Root(cluster, static_cast<int>(e)))], tiny);
+            *meeting[static_cast<std::size_t>(corners.Of(static_cast<int>(e)))], tiny);
   }
   return lines;
 }
