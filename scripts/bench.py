@@ -83,7 +83,7 @@ def whole_process(program, folder, runs, ratios):
     picture = build + files + ["--resolution", "512", "-o", str(folder / "cat.png")]
     help_text = subprocess.run([program, "build", "--help"], capture_output=True, text=True).stdout
     if "--picture-size" in help_text:
-        picture += ["--picture-size", "256x256"]
+        picture += ["--picture-size", "256"]
     commands["cat at 512 with a picture"] = picture
     if loader.exists():
         commands["loading OpenImageIO"] = [str(loader)]
