@@ -15,6 +15,8 @@ import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
+from drawings import drawings_in
+
 COLUMNS = (("structure", "{:.3f}"), ("depth", "{:.3f}"), ("contour_mean", "{:.3f}"),
            ("contour_p95", "{:.3f}"), ("iou", "{:.4f}"), ("symmetry", "{:.4f}"),
            ("watertight", "{:.0f}"), ("components", "{:.0f}"), ("extra_parts", "{:.0f}"))
@@ -75,9 +77,7 @@ def main():
     parser.add_argument("--misses", action="store_true", help="what is wrong, below each row")
     parser.add_argument("--keep", type=pathlib.Path, help="a folder for meshes, previews and parses")
     arguments = parser.parse_args()
-    sketches = []
-    for path in arguments.drawings:
-        sketches += sorted(path.glob("*.svg")) if path.is_dir() else [path]
+    sketches = drawings_in(arguments.drawings)
     with tempfile.TemporaryDirectory() as temporary, ThreadPoolExecutor(2) as pool:
         folder = arguments.keep or pathlib.Path(temporary)
         folder.mkdir(parents=True, exist_ok=True)

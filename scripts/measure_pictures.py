@@ -17,6 +17,7 @@ import xml.etree.ElementTree as ElementTree
 from concurrent.futures import ThreadPoolExecutor
 
 import measure
+from drawings import drawings_in
 
 
 def viewport(sketch):
@@ -67,9 +68,7 @@ def main():
     parser.add_argument("--options", default="", help="more options for the build")
     parser.add_argument("--keep", type=pathlib.Path, help="a folder for pictures, curves, meshes, previews and parses")
     arguments = parser.parse_args()
-    sketches = []
-    for path in arguments.drawings:
-        sketches += sorted(path.glob("*.svg")) if path.is_dir() else [path]
+    sketches = drawings_in(arguments.drawings)
     results = ([], [])
     with tempfile.TemporaryDirectory() as temporary, ThreadPoolExecutor(2) as pool:
         folder = arguments.keep or pathlib.Path(temporary)

@@ -15,6 +15,8 @@ import subprocess
 import sys
 import tempfile
 
+from drawings import drawings_in
+
 
 def inspect(program, sketch, folder):
     """The parse of a drawing and its picture, or what the program says."""
@@ -72,9 +74,7 @@ def main():
     parser.add_argument("--program", default=str(pathlib.Path(__file__).resolve().parent.parent /
                                                  "build/release/bin/lascaux"))
     arguments = parser.parse_args()
-    sketches = []
-    for path in arguments.drawings:
-        sketches += sorted(path.glob("*.svg")) if path.is_dir() else [path]
+    sketches = drawings_in(arguments.drawings)
     print("  ".join([f"{'drawing':44}", "exit", "strokes", "gaps", "slits", "parts", "limbs",
                      "paired", "islands", "same as the original, or why not"]))
     read = 0

@@ -14,6 +14,7 @@ import random
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
+from drawings import drawings_in
 from measure_reading import inspect, roles
 
 # A stroke is a dictionary: pieces (cubics of four points), width, dot.
@@ -243,9 +244,7 @@ def main():
     parser.add_argument("--program", default=str(pathlib.Path(__file__).resolve().parent.parent /
                                                  "build/release/bin/lascaux"))
     arguments = parser.parse_args()
-    sketches = []
-    for path in arguments.drawings:
-        sketches += sorted(path.glob("*.svg")) if path.is_dir() else [path]
+    sketches = drawings_in(arguments.drawings)
     with tempfile.TemporaryDirectory() as temporary, ThreadPoolExecutor(2) as pool:
         folder, parses = pathlib.Path(temporary), pathlib.Path(temporary) / "parses"
         parses.mkdir()

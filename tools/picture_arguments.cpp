@@ -1,12 +1,12 @@
 #include "picture_arguments.h"
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <cstddef>
 #include <map>
 #include <string>
 
 #include "choice.h"
+#include "lascaux/base/srgb.h"
 
 namespace lascaux {
 namespace {
@@ -21,10 +21,7 @@ const std::map<std::string, View>& Views() {
   return kViews;
 }
 
-float ToLinear(int level) {
-  const double s = level / 255.0;
-  return static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
-}
+float ToLinear(int level) { return static_cast<float>(DecodeSrgb(level / 255.0)); }
 
 }  // namespace
 

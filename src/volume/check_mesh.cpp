@@ -11,6 +11,7 @@
 #include <tuple>
 #include <vector>
 
+#include "base/union_find.h"
 #include "volume/arena.h"
 #include "volume/corner_table.h"
 #include "volume/edges.h"
@@ -18,7 +19,6 @@
 #include "volume/lattice_proof.h"
 #include "volume/mesh_measures.h"
 #include "volume/self_intersections.h"
-#include "volume/union_find.h"
 
 namespace lascaux {
 namespace {

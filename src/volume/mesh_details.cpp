@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "lascaux/base/srgb.h"
+
 namespace lascaux {
 namespace {
 
@@ -14,14 +16,11 @@ constexpr double kFirstHue = 65 * std::numbers::pi / 180;  // clay
 }  // namespace
 
 std::uint8_t SrgbFromLinear(double value) noexcept {
-  const double v = std::clamp(value, 0.0, 1.0);
-  const double encoded = v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
-  return static_cast<std::uint8_t>(std::lround(255 * encoded));
+  return static_cast<std::uint8_t>(std::lround(255 * EncodeSrgb(std::clamp(value, 0.0, 1.0))));
 }
 
 float LinearFromSrgb(std::uint8_t value) noexcept {
-  const double v = value / 255.0;
-  return static_cast<float>(v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4));
+  return static_cast<float>(DecodeSrgb(value / 255.0));
 }
 
 std::vector<std::uint16_t> PartsOfTriangles(

@@ -9,8 +9,8 @@
 #include <limits>
 #include <vector>
 
+#include "base/union_find.h"
 #include "volume/mesh_measures.h"
-#include "volume/union_find.h"
 
 namespace lascaux {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "base/union_find.h"
 #include "lascaux/base/outcome.h"
 #include "lascaux/volume/mesh.h"
-#include "volume/union_find.h"
 
 namespace lascaux {
 

@@ -12,13 +12,13 @@ namespace lascaux {
 /// the other side of the surface.
 ///
 /// A missing neighbour has no surface near, so it is on the same side as the voxels that touch it.
-inline std::array<std::uint64_t, 6> CrossedSides(const Band &band, std::size_t block,
+inline std::array<std::uint64_t, 6> CrossedSides(const Band& band, std::size_t block,
                                                  std::size_t x) {
   constexpr std::uint64_t kFirstZ = 0x0101010101010101;  // the bits with z = 0
   constexpr std::uint64_t kLastZ = kFirstZ << 7;
-  const VoxelMask &own = band.inside[block];
+  const VoxelMask& own = band.inside[block];
   const std::uint64_t w = own[x];
-  const auto beside = [&](std::size_t side) -> const VoxelMask * {
+  const auto beside = [&](std::size_t side) -> const VoxelMask* {
     const std::int32_t n = band.neighbours[block][side];
     return n == kNoBlock ? nullptr : &band.inside[static_cast<std::size_t>(n)];
   };

@@ -295,7 +295,7 @@ TEST(Limbs, HornsAreNoLegsWhereTheHeadIsLookedFor) {
 }
 
 TEST(Limbs, ARoleTurnsWhereItsMarginIsNought) {
-  // A cell below a body, shorter and longer beside a leg: from a stub in the plane to a leg.
+  // A cell below a body, shorter and longer beside a leg: from a bump in the plane to a leg.
   double before = -1;
   int turns = 0;
   for (int length = 20; length <= 100; length += 4) {
@@ -316,7 +316,7 @@ TEST(Limbs, ARoleTurnsWhereItsMarginIsNought) {
     EXPECT_GE(score, before);
     turns += leg && before < 0 ? 1 : 0;
     EXPECT_EQ(Findings(content, "limb-guessed").size(),
-              // The other leg is a cell, too; a stub is a guess only near the turn.
+              // The other leg is a cell, too; a bump is a guess only near the turn.
               leg || node.choice->Margin() < 0.1 ? 2u : 1u);
     before = score;
   }

@@ -15,7 +15,7 @@ namespace lascaux {
 /// 8-bit sRGB.
 using Srgb8 = std::array<std::uint8_t, 3>;
 
-/// The linear value, 0 to 1, of an 8-bit sRGB value (IEC 61966-2-1).
+/// The linear value, 0 to 1, of an 8-bit sRGB value.
 float LinearFromSrgb(std::uint8_t value) noexcept;
 
 /// The nearest 8-bit sRGB value of a linear one.

@@ -32,7 +32,8 @@ struct PreparedPrint {
 ///   that width and does not show in the view from the side, or from the lowest of all if each
 ///   shows. No cavity where no drain comes out freely.
 ///
-/// `mesh` is the band's surface. What is farther from any change keeps its distances bit by bit.
+/// `mesh` is the band's surface. Distances of less than a voxel stay as they are, bit by bit, where
+/// no change is as near as that.
 /// The same bits for any number of threads. Errors: "print-too-coarse" (walls of less than two
 /// voxels are asked for), "cancelled".
 Outcome<PreparedPrint> PreparePrint(const NarrowBand& band, const Mesh& mesh,

@@ -1,14 +1,13 @@
 #pragma once
 
+#include <algorithm>
+
 #include "lascaux/sketch/page_colors.h"
-#include "sketch/trace/rasterise.h"
 
 namespace lascaux::color {
 
 /// White and known everywhere, over all strokes and areas, with a margin of a pixel.
 PageColors WhitePage(const Sketch& sketch, int longest);
-
-trace::RasterFrame FrameOf(const PageColors& page);
 
 /// Calls `use(index)` for each pixel whose middle is within `reach` (sketch units) of a stroke.
 template <typename Use>

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lascaux/base/srgb.h"
 #include "lascaux/sketch/page_colors.h"
 #include "sketch/color/page_raster.h"
 #include "sketch/trace/lightness.h"
@@ -23,10 +24,8 @@ constexpr float kLeastTone = 0.02F;
 
 std::array<float, 256> LinearTones() {
   std::array<float, 256> tones;
-  for (std::size_t i = 0; i < tones.size(); ++i) {
-    const double s = static_cast<double>(i) / 255;
-    tones[i] = static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
-  }
+  for (std::size_t i = 0; i < tones.size(); ++i)
+    tones[i] = static_cast<float>(DecodeSrgb(static_cast<double>(i) / 255));
   return tones;
 }
 

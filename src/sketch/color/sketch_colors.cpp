@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lascaux/base/srgb.h"
 #include "lascaux/sketch/page_colors.h"
 #include "sketch/color/page_raster.h"
 #include "sketch/trace/distance.h"
+#include "sketch/trace/rasterise.h"
 
 namespace lascaux {
 namespace {
@@ -17,9 +19,7 @@ constexpr double kBeside = 0.015;
 /// How much of a pixel is painted when its colour is the areas' alone.
 constexpr float kPainted = 0.99F;
 
-float ToLinear(double s) {
-  return static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
-}
+float ToLinear(double encoded) { return static_cast<float>(DecodeSrgb(encoded)); }
 
 /// The page while areas are painted on it.
 class Painting {
@@ -71,28 +71,6 @@ class Painting {
 };
 
 }  // namespace
-
-namespace color {
-
-PageColors WhitePage(const Sketch& sketch, int longest) {
-  constexpr int kMargin = 1;
-  const AlignedBox2d box = Bounds(sketch);
-  PageColors page;
-  page.pixel = box.sizes().maxCoeff() / std::max(1, longest - 2 * kMargin);
-  page.origin = box.min() - Vector2d::Constant(kMargin * page.pixel);
-  page.width = static_cast<int>(std::ceil(box.sizes().x() / page.pixel)) + 2 * kMargin;
-  page.height = static_cast<int>(std::ceil(box.sizes().y() / page.pixel)) + 2 * kMargin;
-  const std::size_t count = page.Index(page.width - 1, page.height - 1) + 1;
-  page.colors.assign(count, Array3f::Ones());
-  page.known.assign(count, 1);
-  return page;
-}
-
-trace::RasterFrame FrameOf(const PageColors& page) {
-  return {page.origin, page.pixel, page.width, page.height};
-}
-
-}  // namespace color
 
 std::optional<PageColors> ColorsOf(const Sketch& sketch, int longest) {
   const AlignedBox2d box = Bounds(sketch);

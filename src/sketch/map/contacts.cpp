@@ -1,9 +1,10 @@
 #include "sketch/map/contacts.h"
 
 #include <algorithm>
-#include <numeric>
+#include <cstdint>
 #include <optional>
 
+#include "base/union_find.h"
 #include "sketch/map/polyline.h"
 #include "sketch/map/segment_grid.h"
 
@@ -20,10 +21,10 @@ constexpr double kLeastArea = 5e-4;
 /// Which pieces of the drawing hang together.
 class Pieces {
  public:
-  explicit Pieces(const PlanarMap& map) : map_(map), parent_(map.nodes.size()) {
-    std::iota(parent_.begin(), parent_.end(), 0);
+  explicit Pieces(const PlanarMap& map) : map_(map), sets_(map.nodes.size()) {
     for (const MapEdge& edge : map.edges)
-      parent_[static_cast<std::size_t>(Root(edge.nodes[0]))] = Root(edge.nodes[1]);
+      sets_.Join(static_cast<std::uint32_t>(edge.nodes[0]),
+                 static_cast<std::uint32_t>(edge.nodes[1]));
     area_.resize(map.nodes.size(), 0);
     for (const MapCycle& cycle : map.cycles) {
       if (cycle.kind != CycleKind::kBorder || cycle.half_edges.empty()) continue;
@@ -41,7 +42,7 @@ class Pieces {
   /// True when some piece is closed and is not all that there is.
   bool AreSeveral() {
     int closed = 0, pieces = 0;
-    for (int n = 0; n < static_cast<int>(parent_.size()); ++n) {
+    for (int n = 0; n < static_cast<int>(map_.nodes.size()); ++n) {
       if (Root(n) != n) continue;
       ++pieces;
       if (IsClosed(n)) ++closed;
@@ -49,18 +50,11 @@ class Pieces {
     return closed > 0 && pieces > 1;
   }
 
-  int Root(int node) {
-    while (parent_[static_cast<std::size_t>(node)] != node) {
-      int& up = parent_[static_cast<std::size_t>(node)];
-      up = parent_[static_cast<std::size_t>(up)];
-      node = up;
-    }
-    return node;
-  }
+  int Root(int node) { return static_cast<int>(sets_.Root(static_cast<std::uint32_t>(node))); }
 
  private:
   const PlanarMap& map_;
-  std::vector<int> parent_;
+  UnionFind sets_;
   std::vector<double> area_;  ///< the largest that a piece encloses, by root
 };
 

@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <optional>
 #include <utility>
 
+#include "base/union_find.h"
 #include "sketch/map/arrangement.h"
 #include "sketch/map/segment_grid.h"
 
@@ -170,12 +172,7 @@ class Corners {
  public:
   Corners(const std::vector<ArrangementLine>& lines, const std::vector<LineEnd>& ends,
           const EndIndex& index)
-      : lines_(lines),
-        ends_(ends),
-        parent_(ends.size()),
-        count_(ends.size(), 1),
-        box_(ends.size()) {
-    std::iota(parent_.begin(), parent_.end(), 0);
+      : lines_(lines), ends_(ends), sets_(ends.size()), count_(ends.size(), 1), box_(ends.size()) {
     for (std::size_t e = 0; e < ends.size(); ++e) box_[e].extend(ends[e].position);
     std::vector<std::optional<std::pair<double, int>>> nearest(ends.size());
     for (int e = 0; e < static_cast<int>(ends.size()); ++e) {
@@ -196,16 +193,9 @@ class Corners {
   }
 
   /// The number of the corner that an end is at.
-  int Of(int end) {
-    while (parent_[static_cast<std::size_t>(end)] != end) {
-      int& up = parent_[static_cast<std::size_t>(end)];
-      up = parent_[static_cast<std::size_t>(up)];
-      end = up;
-    }
-    return end;
-  }
+  std::uint32_t Of(int end) { return sets_.Root(static_cast<std::uint32_t>(end)); }
 
-  bool IsShared(int end) { return count_[static_cast<std::size_t>(Of(end))] > 1; }
+  bool IsShared(int end) { return count_[Of(end)] > 1; }
 
  private:
   double Snap(int end) const { return LineOf(end).snap; }
@@ -222,19 +212,19 @@ class Corners {
   }
 
   void Join(int end, int other) {
-    const int a = Of(end), b = Of(other);
+    const std::uint32_t a = Of(end), b = Of(other);
     if (a == b) return;
-    const Eigen::AlignedBox2d both =
-        box_[static_cast<std::size_t>(a)].merged(box_[static_cast<std::size_t>(b)]);
+    const Eigen::AlignedBox2d both = box_[a].merged(box_[b]);
     if (both.diagonal().norm() > Snap(end)) return;
-    parent_[static_cast<std::size_t>(a)] = b;
-    box_[static_cast<std::size_t>(b)] = both;
-    count_[static_cast<std::size_t>(b)] += count_[static_cast<std::size_t>(a)];
+    const int count = count_[a] + count_[b];
+    sets_.Join(a, b);
+    box_[Of(end)] = both;
+    count_[Of(end)] = count;
   }
 
   const std::vector<ArrangementLine>& lines_;
   const std::vector<LineEnd>& ends_;
-  std::vector<int> parent_;
+  UnionFind sets_;
   std::vector<int> count_;                ///< of the ends of a corner, by its number
   std::vector<Eigen::AlignedBox2d> box_;  ///< around the ends of a corner, by its number
 };
@@ -270,7 +260,7 @@ std::vector<ArrangementLine> SnapEnds(std::vector<ArrangementLine> lines, double
   const double hand = std::min(most, kMedians * MedianMiss(lines, ends, grid, diagonal));
   for (ArrangementLine& line : lines) line.snap = std::max(line.snap, hand);
   Corners corners(lines, ends, index);
-  std::vector<std::pair<int, int>> lines_of;  // of each corner, all that end there
+  std::vector<std::pair<std::uint32_t, int>> lines_of;  // of each corner, all that end there
   for (std::size_t e = 0; e < ends.size(); ++e)
     lines_of.emplace_back(corners.Of(static_cast<int>(e)), ends[e].line);
   std::sort(lines_of.begin(), lines_of.end());
@@ -279,7 +269,7 @@ std::vector<ArrangementLine> SnapEnds(std::vector<ArrangementLine> lines, double
     const ArrangementLine& line = lines[static_cast<std::size_t>(ends[e].line)];
     if (Overshoots(line.points, ends[e], line.snap, grid)) continue;
     // Where ends meet is a corner; all of it lies on another line if one is near.
-    const int corner = corners.Of(static_cast<int>(e));
+    const std::uint32_t corner = corners.Of(static_cast<int>(e));
     const auto target =
         !corners.IsShared(static_cast<int>(e))
             ? NearestOther(line.points, ends[e], line.snap, grid)
@@ -292,13 +282,13 @@ std::vector<ArrangementLine> SnapEnds(std::vector<ArrangementLine> lines, double
   // The ends of a corner meet at the first of them that has a line to lie on, else at the first.
   std::vector<std::optional<Vector2d>> meeting(ends.size());
   for (std::size_t e = 0; e < ends.size(); ++e) {
-    auto& at = meeting[static_cast<std::size_t>(corners.Of(static_cast<int>(e)))];
+    auto& at = meeting[corners.Of(static_cast<int>(e))];
     if (!at) at = onto[e] ? *onto[e] : ends[e].position;
   }
   const double tiny = 1e-5 * diagonal;
   for (std::size_t e = 0; e < ends.size(); ++e) {
     MoveEnd(lines[static_cast<std::size_t>(ends[e].line)].points, ends[e],
-            *meeting[static_cast<std::size_t>(corners.Of(static_cast<int>(e)))], tiny);
+            *meeting[corners.Of(static_cast<int>(e))], tiny);
   }
   return lines;
 }

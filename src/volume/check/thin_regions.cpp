@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/union_find.h"
 #include "lascaux/volume/wall_thickness.h"
 #include "volume/check/triangle_grid.h"
-#include "volume/union_find.h"
 
 namespace lascaux {
 namespace {

@@ -3,8 +3,8 @@
 #include <limits>
 #include <vector>
 
+#include "base/union_find.h"
 #include "volume/measure/scan.h"
-#include "volume/union_find.h"
 
 namespace lascaux {
 namespace {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "lascaux/base/srgb.h"
 #include "lascaux/volume/picture.h"
 
 namespace lascaux {
@@ -17,8 +18,7 @@ Curve MakeCurve() {
   Curve curve;
   for (std::size_t i = 0; i < curve.size(); ++i) {
     const double c = std::min(1.0, static_cast<double>(i) / kLevels);
-    const double s = c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055;
-    curve[i] = static_cast<float>(255 * s);
+    curve[i] = static_cast<float>(255 * EncodeSrgb(c));
   }
   return curve;
 }
