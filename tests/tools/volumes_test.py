@@ -54,7 +54,10 @@ class VolumesTest(ProgramTest):
                 self.assertGreater(size[up], 2 * size[3 - up])  # higher than wide
 
     def test_a_terminal_is_no_place_for_a_volume(self):
-        terminal, program = pty.openpty()
+        try:
+            terminal, program = pty.openpty()
+        except OSError as error:
+            self.skipTest(f"this machine lends no terminals: {error}")
         done = subprocess.run([PROGRAM, "build", CAT, "-o", "-", *map(str, SMALL)], stdout=program,
                               stderr=subprocess.PIPE, text=True, timeout=60)
         os.close(program)
