@@ -33,17 +33,29 @@ Eigen::AlignedBox2d SupportBox(const std::vector<Chain>& chains) {
   return box;
 }
 
+/// A station with what does not depend on the place that asks.
+struct Pull {
+  const DepthStation& station;
+  double by_distance, log_scale, log_fuller;
+
+  explicit Pull(const DepthStation& s)
+      : station(s),
+        by_distance(1 / (s.reach * s.reach)),
+        log_scale(std::log(s.scale)),
+        log_fuller(std::log(s.fuller)) {}
+};
+
 /// Average of the stations at a place: z, and log scale.
-Vector2d Average(const std::vector<DepthStation>& stations, const Vector2d& place) {
+Vector2d Average(const std::vector<Pull>& pulls, const Vector2d& place) {
   Vector2d sum = Vector2d::Zero();
   double weights = 0;
-  for (const DepthStation& station : stations) {
-    const double rest =
-        1 + (place - station.position).squaredNorm() / (station.reach * station.reach);
-    const double weight = 1 / (rest * rest * rest);
+  for (const Pull& pull : pulls) {
+    const DepthStation& station = pull.station;
     const Vector2d way = place - station.position;
-    const double fuller = std::log(station.fuller) * Smoothstep(station.belly.dot(way));
-    sum += weight * Vector2d(station.z + station.tilt.dot(way), std::log(station.scale) + fuller);
+    const double rest = 1 + way.squaredNorm() * pull.by_distance;
+    const double weight = 1 / (rest * rest * rest);
+    const double fuller = pull.log_fuller * Smoothstep(station.belly.dot(way));
+    sum += weight * Vector2d(station.z + station.tilt.dot(way), pull.log_scale + fuller);
     weights += weight;
   }
   return sum / weights;
@@ -62,10 +74,11 @@ DepthMap MapOf(const CreaturePart& part, const ModelFrame& frame) {
   map.rows = static_cast<int>(std::ceil(box.sizes().y() / cell)) + 1;
   map.middle.reserve(Index(map.columns) * Index(map.rows));
   map.steepness.reserve(map.middle.capacity());
+  const std::vector<Pull> pulls(part.stations.begin(), part.stations.end());
   for (int row = 0; row < map.rows; ++row) {
     for (int column = 0; column < map.columns; ++column) {
       const Vector2d place(box.min().x() + cell * column, box.max().y() - cell * row);
-      const Vector2d here = Average(part.stations, place);
+      const Vector2d here = Average(pulls, place);
       map.middle.push_back(static_cast<float>(frame.scale * here.x()));
       map.steepness.push_back(static_cast<float>(std::exp(-here.y())));
     }

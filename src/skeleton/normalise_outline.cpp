@@ -57,21 +57,34 @@ struct Sample {
   double source = 0;
 };
 
-/// Radius of the disc of the skeleton whose circle passes nearest.
-double LocalRadius(const Field& field, const Vector2d& place) {
-  double nearest = std::numeric_limits<double>::infinity(), radius = 0;
-  const auto consider = [&](const Eigen::Vector3d& center, double r) {
-    const double distance = std::abs((center.head<2>() - place).norm() - r);
-    if (distance < nearest) nearest = distance, radius = r;
-  };
+/// A disc of the skeleton, seen from the side.
+struct Disc {
+  Vector2d center;
+  double radius;
+};
+
+/// The discs at the ends of the segments and halfway between them.
+std::vector<Disc> DiscsOf(const Field& field) {
+  std::vector<Disc> discs;
   for (const FieldPart& part : field.parts) {
     for (const FieldChain& chain : part.chains) {
-      for (const Segment& segment : chain.segments) {
-        consider(segment.a, segment.radius_a);
-        consider(segment.b, segment.radius_b);
-        consider((segment.a + segment.b) / 2, (segment.radius_a + segment.radius_b) / 2);
+      for (const Segment& s : chain.segments) {
+        const Disc a{s.a.head<2>(), s.radius_a}, b{s.b.head<2>(), s.radius_b};
+        if (discs.empty() || discs.back().center != a.center) discs.push_back(a);
+        discs.push_back({(a.center + b.center) / 2, (a.radius + b.radius) / 2});
+        discs.push_back(b);
       }
     }
+  }
+  return discs;
+}
+
+/// Radius of the disc whose circle passes nearest.
+double LocalRadius(const std::vector<Disc>& discs, const Vector2d& place) {
+  double nearest = std::numeric_limits<double>::infinity(), radius = 0;
+  for (const Disc& disc : discs) {
+    const double distance = std::abs((disc.center - place).norm() - disc.radius);
+    if (distance < nearest) nearest = distance, radius = disc.radius;
   }
   return radius;
 }
@@ -191,12 +204,13 @@ struct Samples {
 
 Samples SampleOutlines(const Field& field, const DrawnOutline& drawn, double diagonal) {
   Samples samples;
+  const std::vector<Disc> discs = DiscsOf(field);
   for (const auto& run :
        UnionOutline(drawn.parts, drawn.graph, kSpacing * diagonal / drawn.frame.scale)) {
     const std::size_t n = run.size();
     std::vector<double> radii(n), arcs(n, 0);
     tbb::parallel_for(std::size_t{0}, n, [&](std::size_t k) {
-      radii[k] = LocalRadius(field, drawn.frame.ToModel(run[k]));
+      radii[k] = LocalRadius(discs, drawn.frame.ToModel(run[k]));
     });
     for (std::size_t k = 1; k < n; ++k)
       arcs[k] = arcs[k - 1] + drawn.frame.scale * (run[k] - run[k - 1]).norm();
@@ -273,10 +287,18 @@ void Narrow(Samples& samples, double least) {
 }
 
 /// What a unit source adds at a distance: along an even straight outline the sum is 1 on it.
-double Kernel(const Sample& source, double squared_distance) {
-  const double rest = 1 - squared_distance / (source.fade * source.fade);
-  return rest > 0 ? rest * rest * rest * source.length / (kKernelIntegral * source.fade) : 0;
-}
+struct Kernel {
+  double height, by_distance;
+
+  explicit Kernel(const Sample& source)
+      : height(source.length / (kKernelIntegral * source.fade)),
+        by_distance(1 / (source.fade * source.fade)) {}
+
+  double At(double squared_distance) const {
+    const double rest = std::max(1 - squared_distance * by_distance, 0.0);
+    return height * rest * rest * rest;
+  }
+};
 
 /// Sources whose sum is the wanted gain at each sample; what is still wanted then.
 std::vector<double> Solve(std::vector<Sample>& samples) {
@@ -291,15 +313,18 @@ std::vector<double> Solve(std::vector<Sample>& samples) {
   });
   std::vector<std::vector<Entry>> rows(samples.size());
   std::vector<double> sums(samples.size(), 0);
+  const std::vector<Kernel> kernels(samples.begin(), samples.end());
   double widest = 0;
   for (const Sample& s : samples) widest = std::max(widest, s.fade);
   for (std::size_t a = 0; a < by_x.size(); ++a) {
+    const std::size_t i = by_x[a];
     for (std::size_t b = a; b < by_x.size(); ++b) {
-      const std::size_t i = by_x[a], j = by_x[b];
+      const std::size_t j = by_x[b];
       const Vector2d way = samples[j].place - samples[i].place;
       if (way.x() > widest) break;
-      const double squared = way.squaredNorm(), there = Kernel(samples[j], squared),
-                   here = Kernel(samples[i], squared);
+      const double squared = way.squaredNorm();
+      if (squared >= widest * widest) continue;
+      const double there = kernels[j].At(squared), here = kernels[i].At(squared);
       if (there > 0) rows[i].push_back({j, there}), sums[i] += there;
       if (here > 0 && i != j) rows[j].push_back({i, here}), sums[j] += here;
     }
@@ -323,17 +348,23 @@ constexpr int kRowsATask = 16;
 void AddSource(const Sample& s, int first_row, int end_row, PlanarGain& gain) {
   const Vector2d center = (s.place - gain.origin) / gain.cell;
   const double fade = s.fade / gain.cell;
-  const int last_row = std::min(end_row - 1, static_cast<int>(center.y() + fade));
-  for (int row = std::max(first_row, static_cast<int>(center.y() - fade)); row <= last_row; ++row) {
-    const double across = (center.y() - row) * (center.y() - row);
-    const double half = std::sqrt(std::max(fade * fade - across, 0.0));
-    const int last = std::min(gain.columns - 1, static_cast<int>(center.x() + half));
-    float* coefficients = gain.coefficients.data() + Index(row) * Index(gain.columns);
-    for (int column = std::max(0, static_cast<int>(center.x() - half)); column <= last; ++column) {
-      const double along = (center.x() - column) * (center.x() - column);
-      coefficients[column] +=
-          static_cast<float>(s.source * Kernel(s, gain.cell * gain.cell * (along + across)));
-    }
+  const int low = std::max(first_row, static_cast<int>(center.y() - fade));
+  const int high = std::min(end_row - 1, static_cast<int>(center.y() + fade));
+  if (low > high) return;
+  const int left = std::max(0, static_cast<int>(center.x() - fade));
+  const int right = std::min(gain.columns - 1, static_cast<int>(center.x() + fade));
+  const Kernel kernel(s);
+  const double by_distance = kernel.by_distance * gain.cell * gain.cell;
+  const auto height = static_cast<float>(s.source * kernel.height);
+  const Eigen::ArrayXf along =
+      (by_distance *
+       (Eigen::ArrayXd::LinSpaced(right - left + 1, left, right) - center.x()).square())
+          .cast<float>();
+  for (int row = low; row <= high; ++row) {
+    const auto rest = static_cast<float>(1 - by_distance * (center.y() - row) * (center.y() - row));
+    Eigen::Map<Eigen::ArrayXf> coefficients(
+        gain.coefficients.data() + Index(row) * Index(gain.columns) + left, along.size());
+    coefficients += height * (rest - along).max(0.0F).cube();
   }
 }
 
