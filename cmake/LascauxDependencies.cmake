@@ -25,6 +25,7 @@ find_package(ZLIB REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(lib2geom REQUIRED IMPORTED_TARGET 2geom)
 pkg_check_modules(minizip REQUIRED IMPORTED_TARGET minizip)
+pkg_check_modules(jemalloc REQUIRED IMPORTED_TARGET jemalloc)
 find_package(OpenImageIO 2.4 REQUIRED CONFIG)
 # Debian's target names a folder of OpenCV that its package does not bring, at which CMake stops.
 get_target_property(oiio_includes OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)

@@ -7,7 +7,7 @@ packages='
   g++ cmake ninja-build ccache clang-format pkg-config
   libopenvdb-dev libtbb-dev libeigen3-dev libcgal-dev libopenimageio-dev
   libboost-dev libboost-iostreams-dev libboost-system-dev zlib1g-dev libpng-dev libblosc-dev
-  libminizip-dev libpugixml-dev libcli11-dev nlohmann-json3-dev libfmt-dev lib2geom-dev
+  libminizip-dev libpugixml-dev libcli11-dev nlohmann-json3-dev libfmt-dev lib2geom-dev libjemalloc-dev
   libgtest-dev libbenchmark-dev
   libopenvdb-tools openimageio-tools python3 python3-numpy python3-opencv python3-openvdb admesh assimp-utils lib3mf1
 '

@@ -12,6 +12,7 @@
 #include "lascaux/io/read_file.h"
 #include "overrides.h"
 #include "progress.h"
+#include "run_together.h"
 #include "settle.h"
 #include "stopwatch.h"
 #include "summary.h"
@@ -210,6 +211,7 @@ ExitCode RunCommand(Verb verb, const CommandOptions& options, const Execution& e
   const bool uses_openvdb =
       options.pipeline.print.Any() || std::any_of(plan->begin(), plan->end(), needs);
   if (uses_openvdb) PreloadGridPlugin();
+  WakeWorkers(execution);
   ExitCode worst = ExitCode::kSuccess;
   for (std::size_t i = 0; i < options.sketches.size() && !execution.IsCancelled(); ++i) {
     const Job job{options.sketches[i], (*plan)[i], LastStageFor(verb, (*plan)[i])};

@@ -1,5 +1,3 @@
-#include <malloc.h>
-
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -35,22 +33,9 @@ int Run(int argc, char** argv) {
   return static_cast<int>(lascaux::RunCommand(line.verb, line.options, execution));
 }
 
-/// Memory that was given back is taken again by the next stage. Left to itself the C library
-/// returns it to the system, whose fresh pages are the slowest memory there is: a twentieth of the
-/// time of a model.
-void KeepFreedMemory() {
-#if defined(__GLIBC__)
-  constexpr int kMegabyte = 1 << 20;
-  mallopt(M_MMAP_THRESHOLD, 32 * kMegabyte);  // the most that it takes; beyond, pages are few
-  mallopt(M_TRIM_THRESHOLD, 512 * kMegabyte);
-  mallopt(M_TOP_PAD, 16 * kMegabyte);
-#endif
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  KeepFreedMemory();
   try {
     return Run(argc, argv);
   } catch (const std::bad_alloc&) {

@@ -34,4 +34,12 @@ void ForEachTogether(const Execution& execution, std::size_t count, const Work& 
   arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, work); });
 }
 
+/// Starts the threads that later work will be shared with. Until it has started, which takes a few
+/// ms, a thread takes nothing over.
+inline void WakeWorkers(const Execution& execution) {
+  if (execution.threads == 1) return;
+  tbb::task_arena arena(execution.threads > 0 ? execution.threads : tbb::task_arena::automatic);
+  arena.enqueue([] {});
+}
+
 }  // namespace lascaux
