@@ -59,8 +59,9 @@ void MeasureCrossings(const BandSource& source, const std::vector<VoxelMask>& cr
 /// Keeps the distances of the voxels in `crossings` and replaces all others by the solution of
 /// |grad d| = 1 from there, as far as kSweepVoxels.
 ///
-/// Godunov's upwind scheme, solved to its fixed point: Gauss-Seidel within a block, Jacobi between
-/// blocks, so that the bits are the same for any number of threads. Source: H. Zhao, "A fast
+/// Godunov's upwind scheme, solved to its fixed point: Gauss-Seidel within a block, blocks like the
+/// fields of a chessboard one colour after the other, so that the bits are the same for any number
+/// of threads. Source: H. Zhao, "A fast
 /// sweeping method for Eikonal equations", Mathematics of Computation 74(250), 2005. The same bits
 /// for every `isa`, which must be supported.
 void SweepDistances(Band& band, const std::vector<VoxelMask>& crossings, Isa isa,

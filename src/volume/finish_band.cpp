@@ -100,8 +100,7 @@ class Writer {
       const Lanes distance = Load(content.distance + at), scaled = Scaled(distance);
       const LaneMask is_band = IsBand(distance, scaled);
       const Lanes magnitude = is_band ? scaled : All(background_);
-      const auto inside = static_cast<std::int32_t>(content.inside[at / 64] >> at % 64 & 0xFF);
-      const LaneMask is_inside = (LaneMask{1, 2, 4, 8, 16, 32, 64, 128} & inside) != 0;
+      const LaneMask is_inside = LanesIn(content.inside[at / 64] >> at % 64 & 0xFF);
       Store(is_inside ? -magnitude : magnitude, target.values.data() + at);
       target.active[at / 64] |= BitsOf(is_band) << at % 64;
     }

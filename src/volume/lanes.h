@@ -56,6 +56,11 @@ LASCAUX_INLINE std::uint64_t BitsOf(const LaneMask& mask) {
 #endif
 }
 
+/// The lanes whose bits are set, of the lowest eight.
+LASCAUX_INLINE LaneMask LanesIn(std::uint64_t bits) {
+  return (LaneMask{1, 2, 4, 8, 16, 32, 64, 128} & static_cast<std::int32_t>(bits)) != 0;
+}
+
 /// Line, one step up or down, with `end` where nothing is left.
 LASCAUX_INLINE Lanes Before(const Lanes& line, float end) {
   return __builtin_shufflevector(line, All(end), 8, 0, 1, 2, 3, 4, 5, 6);

@@ -1,8 +1,8 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
-#include <cstring>
 
 #include "volume/band.h"
 #include "volume/band_view.h"
@@ -34,21 +34,20 @@ LASCAUX_INLINE bool IsAnyBelow(Lanes a, Lanes b) {
 /// Lines wait for no smaller changes, in voxels: what the scheme errs by is a hundred times that.
 constexpr float kSettled = 1e-3F;
 
-/// The new values of a line; `fixed` is below kFar where a value is given. Returns whether a value
-/// within the band changed.
-LASCAUX_INLINE bool UpdateLine(const BandView& view, std::size_t at, const float* fixed,
+/// Replaces a line's values, but those of the voxels in `given`, one bit each. Returns whether a
+/// value within the band changed.
+LASCAUX_INLINE bool UpdateLine(const BandView& view, std::size_t at, std::uint64_t given,
                                float* out) {
-  const float* const line = view.Line(at);
   const std::array<const float*, 4> beside = view.LinesBeside(at);
-  const Lanes own = Load(line), given = Load(fixed + at);
+  const Lanes own = Load(view.Line(at));
   const Lanes along_x = Min(Load(beside[0]), Load(beside[1]));
   const Lanes along_y = Min(Load(beside[2]), Load(beside[3]));
   const Lanes along_z = Min(Before(own, view.BeforeLine(at)), After(own, view.AfterLine(at)));
   // Nothing within the band comes from beyond it.
   if (!IsAnyBelow(Min(Min(along_x, along_y), along_z), All(kSweepVoxels))) return false;
   const Lanes solved = Solve(along_x, along_y, along_z);
-  const Lanes next = given < kFar ? given : Min(solved, own);
-  std::memcpy(out + at, &next, sizeof next);
+  const Lanes next = LanesIn(given) ? own : Min(solved, own);
+  Store(next, out + at);
   return IsAnyBelow(next < kSweepVoxels ? next + kSettled : All(kFar), own);
 }
 
@@ -75,11 +74,11 @@ LineMask BesideOtherBlocks(const Band& band, std::size_t block,
 
 /// Values of one block while it is swept.
 struct BlockSweep {
-  BandView view;       // sees its own new values, and its neighbours' of the last iteration
-  const float* fixed;  // below kFar where a value is given
-  float* out;
-  LineMask pending;      // lines whose surroundings changed since they were last updated
-  LineMask changed = 0;  // lines in which a value that matters changed
+  BandView view;
+  const VoxelMask& given;  // voxels that stay as they are
+  float* out;              // what the view shows
+  LineMask pending;        // lines whose surroundings changed since they were last updated
+  LineMask changed = 0;    // lines in which a value that matters changed
 
   /// Updates the pending lines from first to last, with those that become pending ahead.
   LASCAUX_INLINE void Forward() {
@@ -103,8 +102,8 @@ struct BlockSweep {
   /// Returns the lines that are pending because of this one.
   LASCAUX_INLINE LineMask Update(LineMask line) {
     pending &= ~line;
-    const std::size_t at = 8 * static_cast<std::size_t>(std::countr_zero(line));
-    if (!UpdateLine(view, at, fixed, out)) return 0;
+    const auto at = 8 * static_cast<std::size_t>(std::countr_zero(line));
+    if (!UpdateLine(view, at, given[at / 64] >> at % 64 & 0xFF, out)) return 0;
     changed |= line;
     const LineMask touched = line | BesideInBlock(line);
     pending |= touched;
@@ -140,61 +139,79 @@ float DistanceAtCrossing(const BandView& view, std::size_t i,
   return most;
 }
 
-/// Distances at the crossings, kFar elsewhere; sets in `lines` those that have some.
-VoxelFloats FixCrossings(const Band& band, const std::vector<VoxelMask>& crossings,
-                         std::vector<LineMask>& lines) {
-  VoxelFloats fixed(band.distance.size());
-  lines.assign(band.size(), 0);
+/// A voxel's new distance.
+struct Change {
+  std::size_t voxel;
+  float distance;
+};
+
+/// Scales the distances at a band's crossings down where they don't fit each other.
+void FitCrossings(Band& band, const std::vector<VoxelMask>& crossings) {
+  // All are found before any is made, so that the order does not matter.
+  std::vector<std::vector<Change>> changes(band.size());
   tbb::parallel_for(std::size_t{0}, band.size(), [&](std::size_t b) {
     const BandView view(band, band.distance, b);
-    std::fill_n(fixed.data() + kBlockVoxels * b, kBlockVoxels, kFar);
     for (std::size_t x = 0; x < 8; ++x) {
       if (crossings[b][x] == 0) continue;
       const auto crossed = CrossedSides(band, b, x);
       for (std::uint64_t word = crossings[b][x]; word != 0; word &= word - 1) {
         const std::size_t i = 64 * x + static_cast<std::size_t>(std::countr_zero(word));
-        fixed[kBlockVoxels * b + i] = DistanceAtCrossing(view, i, crossed);
-        lines[b] |= LineMask{1} << i / 8;
+        const float fitting = DistanceAtCrossing(view, i, crossed);
+        if (fitting < view.At(i)) changes[b].push_back({kBlockVoxels * b + i, fitting});
       }
     }
   });
-  return fixed;
+  for (const std::vector<Change>& list : changes) {
+    for (const Change& change : list) band.distance[change.voxel] = change.distance;
+  }
+}
+
+/// The lines that hold some of the voxels.
+LineMask LinesOf(const VoxelMask& voxels) {
+  LineMask lines = 0;
+  for (std::size_t line = 0; line < 64; ++line)
+    lines |= LineMask{(voxels[line / 8] >> 8 * (line % 8) & 0xFF) != 0} << line;
+  return lines;
+}
+
+/// A band's blocks like the fields of a chessboard: none is beside another of its colour.
+std::array<std::vector<std::size_t>, 2> ByColour(const Band& band) {
+  std::array<std::vector<std::size_t>, 2> blocks;
+  for (std::size_t b = 0; b < band.size(); ++b)
+    blocks[static_cast<std::size_t>(band.origins[b].sum() / kBlockSide & 1)].push_back(b);
+  return blocks;
 }
 
 }  // namespace
 
 void SweepDistances(Band& band, const std::vector<VoxelMask>& crossings, Isa isa,
                     const Execution& execution) {
-  std::vector<LineMask> changed, changes(band.size()), pending(band.size());
-  const VoxelFloats fixed = FixCrossings(band, crossings, changed);
-  for (std::size_t b = 0; b < band.size(); ++b) pending[b] = changed[b] | BesideInBlock(changed[b]);
-  VoxelFloats next(fixed.size());
-  tbb::parallel_for(std::size_t{0}, band.size(), [&](std::size_t b) {
-    const float* const from = fixed.data() + kBlockVoxels * b;
-    std::copy_n(from, kBlockVoxels, band.distance.data() + kBlockVoxels * b);
-    std::copy_n(from, kBlockVoxels, next.data() + kBlockVoxels * b);
-  });
+  FitCrossings(band, crossings);
+  std::vector<LineMask> changed(band.size()), pending(band.size());
+  for (std::size_t b = 0; b < band.size(); ++b) {
+    changed[b] = LinesOf(crossings[b]);
+    pending[b] = changed[b] | BesideInBlock(changed[b]);
+  }
   const auto run = isa == Isa::kBaseline ? RunBaseline : RunAvx2;
-  const auto is_settled = [](LineMask mask) { return mask == 0; };
-  while (!(std::all_of(changed.begin(), changed.end(), is_settled) &&
-           std::all_of(pending.begin(), pending.end(), is_settled)) &&
-         !execution.IsCancelled()) {
-    tbb::parallel_for(std::size_t{0}, band.size(), [&](std::size_t b) {
-      const float* const last = band.distance.data() + kBlockVoxels * b;
-      float* const own = next.data() + kBlockVoxels * b;
-      for (LineMask stale = changed[b]; stale != 0; stale &= stale - 1) {
-        const std::size_t at = 8 * static_cast<std::size_t>(std::countr_zero(stale));
-        std::copy_n(last + at, 8, own + at);
-      }
-      BlockSweep sweep = {BandView(band, band.distance, b), fixed.data() + kBlockVoxels * b, own,
-                          pending[b] | BesideOtherBlocks(band, b, changed)};
-      sweep.view.SetOwn(own);
-      run(sweep);
-      pending[b] = sweep.pending;
-      changes[b] = sweep.changed;
+  const auto sweep_block = [&](std::size_t b) {
+    const LineMask lines = pending[b] | BesideOtherBlocks(band, b, changed);
+    changed[b] = 0;
+    if (lines == 0) return false;
+    BlockSweep sweep = {BandView(band, band.distance, b), crossings[b],
+                        band.distance.data() + kBlockVoxels * b, lines};
+    run(sweep);
+    pending[b] = sweep.pending;
+    changed[b] = sweep.changed;
+    return true;
+  };
+  const auto blocks = ByColour(band);
+  // A round without work leaves no block with work for the next.
+  for (std::size_t idle = 0, colour = 0; idle < 2 && !execution.IsCancelled(); colour ^= 1) {
+    std::atomic<bool> is_busy = false;
+    tbb::parallel_for(std::size_t{0}, blocks[colour].size(), [&](std::size_t i) {
+      if (sweep_block(blocks[colour][i])) is_busy.store(true, std::memory_order_relaxed);
     });
-    std::swap(band.distance, next);
-    std::swap(changed, changes);
+    idle = is_busy ? 0 : idle + 1;
   }
 }
 
