@@ -27,7 +27,10 @@ class UnionFind {
     return i;
   }
 
+  bool IsRoot(std::uint32_t i) const noexcept { return Parent(i) == i; }
+
   void Join(std::uint32_t a, std::uint32_t b) noexcept {
+    if (Parent(a) == Parent(b)) return;  // most often
     for (;;) {
       a = Root(a);
       b = Root(b);

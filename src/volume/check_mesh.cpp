@@ -1,12 +1,15 @@
 #include "lascaux/volume/check_mesh.h"
 
 #include <fmt/format.h>
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
+#include <tbb/parallel_reduce.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <tuple>
 #include <vector>
@@ -31,8 +34,22 @@ struct Topology {
   bool closed = false, manifold = false, consistent = false;
   int components = 0;
   std::optional<int> genus;
-  std::vector<std::uint32_t> root;  // of each vertex's component
+  std::vector<std::uint32_t> root;  // of each vertex's component, where there are several
 };
+
+/// Of 0 to count - 1, how many are such?
+template <typename IsSuch>
+std::int64_t CountIf(std::size_t count, IsSuch&& is_such) {
+  constexpr std::size_t kGrain = 4096;
+  using Range = tbb::blocked_range<std::size_t>;
+  return tbb::parallel_reduce(
+      Range(0, count, kGrain), std::int64_t{0},
+      [&](const Range& range, std::int64_t sum) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) sum += is_such(i) ? 1 : 0;
+        return sum;
+      },
+      std::plus<>());
+}
 
 Topology MeasureTopology(const Mesh& mesh) {
   Topology topology;
@@ -92,22 +109,23 @@ Topology MeasureTopology(const Mesh& mesh) {
 Topology TopologyOfClosedFans(const Mesh& mesh) {
   Topology topology;
   topology.closed = topology.manifold = topology.consistent = true;
-  UnionFind pieces(mesh.vertices.size());
+  const std::size_t vertices = mesh.vertices.size();
+  UnionFind pieces(vertices);
   tbb::parallel_for(std::size_t{0}, mesh.triangles.size(), [&](std::size_t t) {
     const auto& corners = mesh.triangles[t];
     pieces.Join(corners[0], corners[1]);
     pieces.Join(corners[0], corners[2]);
   });
-  topology.root.resize(mesh.vertices.size());
-  for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
-    topology.root[v] = pieces.Root(v);
-    topology.components += topology.root[v] == v ? 1 : 0;
-  }
+  topology.components = static_cast<int>(CountIf(
+      vertices, [&](std::size_t v) { return pieces.IsRoot(static_cast<std::uint32_t>(v)); }));
   if (topology.components == 1) {
-    const auto vertices = static_cast<std::int64_t>(mesh.vertices.size());
-    const std::int64_t euler = vertices - static_cast<std::int64_t>(mesh.triangles.size()) / 2;
+    const std::int64_t euler =
+        static_cast<std::int64_t>(vertices) - static_cast<std::int64_t>(mesh.triangles.size()) / 2;
     topology.genus = static_cast<int>((2 - euler) / 2);
+    return topology;
   }
+  topology.root.resize(vertices);
+  for (std::uint32_t v = 0; v < vertices; ++v) topology.root[v] = pieces.Root(v);
   return topology;
 }
 
@@ -158,12 +176,13 @@ std::int64_t CountCoincident(const std::vector<Vector3f>& vertices) {
 }
 
 std::int64_t CountInvalid(const Mesh& mesh) {
-  std::int64_t count = 0;
-  for (const Vector3f& v : mesh.vertices) count += v.allFinite() ? 0 : 1;
-  for (const auto& t : mesh.triangles) {
-    count += *std::max_element(t.begin(), t.end()) < mesh.vertices.size() ? 0 : 1;
-  }
-  return count;
+  const auto points_nowhere = [&](std::size_t i) {
+    const auto& t = mesh.triangles[i];
+    return std::max({t[0], t[1], t[2]}) >= mesh.vertices.size();
+  };
+  return CountIf(mesh.vertices.size(),
+                 [&](std::size_t v) { return !mesh.vertices[v].allFinite(); }) +
+         CountIf(mesh.triangles.size(), points_nowhere);
 }
 
 }  // namespace
@@ -184,19 +203,23 @@ class Check {
   MeshFacts Run() {
     facts_.vertices = static_cast<std::int64_t>(mesh_.vertices.size());
     facts_.triangles = static_cast<std::int64_t>(mesh_.triangles.size());
-    facts_.invalid = CountInvalid(mesh_);
-    // Nothing can be said of a mesh that points nowhere, and a slicer takes none of it.
-    if (facts_.invalid > 0) return facts_;
-    RunInArena(execution_, [this] {
-      const CornerTable corners(mesh_);
-      const bool fans = !mesh_.triangles.empty() && HasClosedFansOnly(mesh_, corners);
-      tbb::parallel_invoke([&] { CheckTopology(fans); },
-                           [&] { fans&& lattice_ ? CheckDual(corners) : CheckPlaces(); });
-    });
+    RunInArena(execution_, [this] { Measure(); });
     return facts_;
   }
 
  private:
+  void Measure() {
+    facts_.invalid = CountInvalid(mesh_);
+    // Nothing can be said of a mesh that points nowhere, and a slicer takes none of it.
+    if (facts_.invalid > 0) return;
+    std::optional<LatticeProof> proof;
+    if (lattice_) proof = ProveByLattice(mesh_, *lattice_);
+    const bool fans = !mesh_.triangles.empty() &&
+                      (proof ? proof->closed_fans : HasClosedFansOnly(mesh_, CornerTable(mesh_)));
+    tbb::parallel_invoke([&] { CheckTopology(fans); },
+                         [&] { fans&& proof ? CheckDual(*proof) : CheckPlaces(); });
+  }
+
   void CheckTopology(bool fans) {
     const Topology found = fans ? TopologyOfClosedFans(mesh_) : MeasureTopology(mesh_);
     facts_.closed = found.closed;
@@ -211,8 +234,7 @@ class Check {
         (found.components == 1 ? measures.volume > 0 : AreComponentsOutward(mesh_, found));
   }
 
-  void CheckDual(const CornerTable& corners) {
-    const LatticeProof proof = ProveByLattice(mesh_, corners, *lattice_);
+  void CheckDual(const LatticeProof& proof) {
     facts_.coincident = proof.coincident;
     CountIntersections(proof.doubtful);
   }

@@ -18,6 +18,8 @@ struct Opposite {
   std::uint32_t from, to;
 };
 
+}  // namespace
+
 bool IsClosedFan(const Mesh& mesh, std::uint32_t vertex, std::span<const std::uint32_t> corners) {
   const std::size_t count = corners.size();
   if (count < 3 || count > kMostCorners) return false;
@@ -39,8 +41,6 @@ bool IsClosedFan(const Mesh& mesh, std::uint32_t vertex, std::span<const std::ui
   }
   return true;
 }
-
-}  // namespace
 
 CornerTable::CornerTable(const Mesh& mesh)
     : first_(mesh.vertices.size() + 1, 0), corners_(3 * mesh.triangles.size()) {

@@ -28,6 +28,10 @@ class CornerTable {
   std::vector<std::uint32_t> corners_;
 };
 
+/// Do the triangles with these corners at a vertex make one closed fan of at least three, turned
+/// alike? With more than 64 the answer is no.
+bool IsClosedFan(const Mesh& mesh, std::uint32_t vertex, std::span<const std::uint32_t> corners);
+
 /// Do the triangles at each vertex make one closed fan of at least three, turned alike?
 ///
 /// Then the mesh is closed and manifold, each edge is run through once in each direction, no vertex

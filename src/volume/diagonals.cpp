@@ -22,6 +22,16 @@ LASCAUX_INLINE Lanes Load(const std::array<float, SeenQuads::kMost>& from, std::
   return lanes;
 }
 
+/// Four quadrilaterals from the one at `at` on.
+LASCAUX_INLINE std::array<Corner, 4> LoadFour(const SeenQuads& quads, std::size_t at) {
+  std::array<Corner, 4> q;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const SeenQuads::Corners& from = quads.corners[k];
+    q[k] = {Load(from.x, at), Load(from.y, at), Load(from.height, at)};
+  }
+  return q;
+}
+
 LASCAUX_INLINE Lanes Size(Lanes a) { return a < 0 ? -a : a; }
 
 LASCAUX_INLINE Lanes Cross(const Corner& p, const Corner& q) { return p.x * q.y - p.y * q.x; }
@@ -55,11 +65,7 @@ std::array<std::uint8_t, SeenQuads::kMost> CutFromFirst(const SeenQuads& quads, 
                                                         float margin) {
   std::array<std::uint8_t, SeenQuads::kMost> cuts;
   for (std::size_t at = 0; at < count; at += kLanes) {
-    std::array<Corner, 4> q;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const SeenQuads::Corners& from = quads.corners[k];
-      q[k] = {Load(from.x, at), Load(from.y, at), Load(from.height, at)};
-    }
+    const std::array<Corner, 4> q = LoadFour(quads, at);
     const Bits first_is_shorter = SquaredLength(q[0], q[2]) <= SquaredLength(q[1], q[3]);
     const Bits first_is_good = AreInEnvelope(q[0], q[2], q[1], q[3], margin);
     const Bits second_is_good = AreInEnvelope(q[1], q[3], q[2], q[0], margin);
@@ -68,6 +74,17 @@ std::array<std::uint8_t, SeenQuads::kMost> CutFromFirst(const SeenQuads& quads, 
     for (std::size_t i = 0; i < kLanes; ++i) cuts[at + i] = from_first[i] != 0 ? 1 : 0;
   }
   return cuts;
+}
+
+std::array<std::uint8_t, SeenQuads::kMost> AreInEnvelope(const SeenQuads& d0_d1_a_b,
+                                                         std::size_t count, float margin) {
+  std::array<std::uint8_t, SeenQuads::kMost> are;
+  for (std::size_t at = 0; at < count; at += kLanes) {
+    const auto [d0, d1, a, b] = LoadFour(d0_d1_a_b, at);
+    const Bits lanes = AreInEnvelope(d0, d1, a, b, margin);
+    for (std::size_t i = 0; i < kLanes; ++i) are[at + i] = lanes[i] != 0 ? 1 : 0;
+  }
+  return are;
 }
 
 }  // namespace lascaux

@@ -23,4 +23,8 @@ struct SeenQuads {
 std::array<std::uint8_t, SeenQuads::kMost> CutFromFirst(const SeenQuads& quads, std::size_t count,
                                                         float margin);
 
+/// IsInEnvelope() of envelope.h in single precision, for corners in that order.
+std::array<std::uint8_t, SeenQuads::kMost> AreInEnvelope(const SeenQuads& d0_d1_a_b,
+                                                         std::size_t count, float margin);
+
 }  // namespace lascaux

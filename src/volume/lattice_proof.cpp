@@ -1,6 +1,5 @@
 #include "volume/lattice_proof.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <Eigen/Geometry>
@@ -8,262 +7,333 @@
 #include <array>
 #include <atomic>
 #include <bit>
-#include <cmath>
 #include <map>
-#include <optional>
+#include <utility>
 
-#include "volume/envelope.h"
+#include "volume/corner_table.h"
+#include "volume/lattice_quads.h"
 
 namespace lascaux {
 namespace {
 
 using Eigen::Array3i;
-using Eigen::Vector3d;
-using Range = tbb::blocked_range<std::size_t>;
 
 constexpr std::size_t kGrain = 2048;  // vertices or quadrilaterals a task
-// In units of the lattice. Places in cells are rounded by less than a thousandth of it, as far out
-// as kFarthestCell.
-constexpr double kMargin = 1e-8;
-constexpr double kFarthestCell = 1e6;
-constexpr int kCellBits = 21;
 
-/// A cell as a number; not 0 within kFarthestCell.
-std::uint64_t Key(const Array3i& cell) {
-  constexpr int kShift = 1 << (kCellBits - 1);
-  std::uint64_t key = 0;
-  for (int axis = 2; axis >= 0; --axis) {
-    key = key << kCellBits | static_cast<std::uint64_t>(cell[axis] + kShift);
-  }
-  return key;
-}
+// What is known of a vertex, above the edges of its cell and how they are crossed.
+constexpr std::uint32_t kEdges = (1 << kCellEdges) - 1;
+constexpr std::uint32_t kShared = 1 << 24;  // its cell has another vertex
+constexpr std::uint32_t kLoose = 1 << 25;   // one of its triangles is in no edge's quadrilateral
+constexpr std::uint32_t kNear = 1 << 26;    // in a cell beside a doubtful triangle
 
-std::size_t Hash(std::uint64_t key, int bits) {
-  return static_cast<std::size_t>(key * 0x9E3779B97F4A7C15u >> (64 - bits));  // Fibonacci hashing
-}
-
-/// A place in its cell: 0 to 1 along each axis.
-struct Placed {
-  Array3i cell;
-  Vector3d at;
-};
-
-/// Where each vertex is, and which cells have one vertex.
-class Cells {
+/// Which sets of a cell's edges one piece of surface can cross, and which of them start inside.
+class Rounds {
  public:
-  Cells(const Mesh& mesh, const Lattice& lattice)
-      : mesh_(mesh),
-        lattice_(lattice),
-        bits_(std::max(4, static_cast<int>(std::bit_width(2 * mesh.vertices.size())))),
-        keys_(std::size_t{1} << bits_),
-        slot_(mesh.vertices.size(), kNoSlot),
-        placed_(mesh.vertices.size()) {
-    tbb::parallel_for(Range(0, slot_.size(), kGrain), [this](const Range& range) {
-      for (std::size_t v = range.begin(); v < range.end(); ++v) {
-        const auto placed = Place(v);
-        if (!placed) continue;
-        placed_[v] = *placed;
-        slot_[v] = Insert(Key(placed->cell));
+  Rounds() {
+    starts_.fill(kNone);
+    for (std::size_t signs = 0; signs < 256; ++signs) {
+      const CellPieces& pieces = PiecesJoined(static_cast<CellSigns>(signs));
+      // A face that is crossed twice is no place for one round.
+      if (pieces.count != 1 || pieces.twice != kNoFace) continue;
+      std::uint32_t crossed = 0, starts = 0;
+      for (int e = 0; e < static_cast<int>(kCellEdges); ++e) {
+        if (pieces.of_edge[static_cast<std::size_t>(e)] == kNotCrossed) continue;
+        const int axis = e / 4, u = e & 1, w = e >> 1 & 1;
+        crossed |= 1U << e;
+        starts |=
+            static_cast<std::uint32_t>(signs >> (u << (axis + 1) % 3 | w << (axis + 2) % 3) & 1)
+            << e;
       }
-    });
+      starts_[crossed] = static_cast<std::uint16_t>(starts);
+    }
   }
 
-  Vector3d InCells(std::size_t vertex) const {
-    return (mesh_.vertices[vertex].cast<double>() - lattice_.origin) / lattice_.size;
-  }
-
-  /// Where it is, if it is alone in its cell.
-  const Placed& At(std::size_t vertex) const { return placed_[vertex]; }
-
-  /// Alone in its cell.
-  bool IsAlone(std::size_t vertex) const {
-    return slot_[vertex] != kNoSlot &&
-           (keys_[slot_[vertex]].load(std::memory_order_relaxed) & kShared) == 0;
+  /// For the state of a vertex with crossed edges and, above them, those that start inside.
+  bool Has(std::uint32_t state) const {
+    const std::uint32_t crossed = state & kEdges, starts = state >> kCellEdges & kEdges;
+    const std::uint16_t one = starts_[crossed];  // the other has all signs reversed
+    return one != kNone && (starts == one || starts == (one ^ crossed));
   }
 
  private:
-  static constexpr std::uint32_t kNoSlot = ~0u;
-  static constexpr std::uint64_t kEmpty = 0;
-  static constexpr std::uint64_t kShared = std::uint64_t{1} << (3 * kCellBits);
-
-  /// Empty when it is on the border of cells, or too far out for that to be known.
-  std::optional<Placed> Place(std::size_t vertex) const {
-    const Vector3d in_cells = InCells(vertex);
-    if (!(in_cells.cwiseAbs().maxCoeff() < kFarthestCell)) return std::nullopt;
-    const Vector3d low = in_cells.array().floor();
-    const Vector3d at = in_cells - low;
-    if (!(at.minCoeff() > kMargin) || !(at.maxCoeff() < 1 - kMargin)) return std::nullopt;
-    return Placed{low.array().cast<int>(), at};
-  }
-
-  /// Which slot a cell gets depends on who is first, whether it is shared does not.
-  std::uint32_t Insert(std::uint64_t key) {
-    const std::size_t mask = keys_.size() - 1;
-    for (std::size_t i = Hash(key, bits_);; i = (i + 1) & mask) {
-      std::uint64_t found = kEmpty;
-      if (keys_[i].compare_exchange_strong(found, key)) return static_cast<std::uint32_t>(i);
-      if ((found & ~kShared) != key) continue;
-      keys_[i].fetch_or(kShared);
-      return static_cast<std::uint32_t>(i);
-    }
-  }
-
-  const Mesh& mesh_;
-  const Lattice& lattice_;
-  int bits_;
-  std::vector<std::atomic<std::uint64_t>> keys_;
-  std::vector<std::uint32_t> slot_;
-  std::vector<Placed> placed_;
+  static constexpr std::uint16_t kNone = 0xFFFF;
+  std::array<std::uint16_t, kEdges + 1> starts_;
 };
 
-/// A quadrilateral as two triangles: (d0, d1, a) and (d1, d0, b).
-struct Halves {
-  std::uint32_t d0, d1, a, b;
+/// What tasks find, in their order.
+template <typename T>
+class Found {
+ public:
+  explicit Found(std::size_t tasks) : of_task_(tasks) {}
+  std::vector<T>& Of(std::size_t task) { return of_task_[task]; }
+  std::vector<T> All() const {
+    std::vector<T> all;
+    for (const std::vector<T>& some : of_task_) all.insert(all.end(), some.begin(), some.end());
+    return all;
+  }
+
+ private:
+  std::vector<std::vector<T>> of_task_;
 };
 
-std::optional<Halves> JoinHalves(const std::array<std::uint32_t, 3>& s,
-                                 const std::array<std::uint32_t, 3>& t) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::uint32_t d0 = s[i], d1 = s[(i + 1) % 3];
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (t[k] == d1 && t[(k + 1) % 3] == d0) return Halves{d0, d1, s[(i + 2) % 3], t[(k + 2) % 3]};
-    }
-  }
-  return std::nullopt;
+/// Calls work(task, begin, end) for ranges of 0 .. count - 1.
+template <typename Work>
+void ForRanges(std::size_t count, Work&& work) {
+  tbb::parallel_for(std::size_t{0}, (count + kGrain - 1) / kGrain, [&](std::size_t task) {
+    work(task, task * kGrain, std::min(count, (task + 1) * kGrain));
+  });
 }
 
-/// Corners d0, d1, a, b seen along the edge that their cells are around, if they are: d0 and d1 in
-/// opposite ones.
-std::optional<std::array<SeenCorner, 4>> SeenAlongEdge(const std::array<Placed, 4>& corners) {
-  const Array3i across = corners[1].cell - corners[0].cell;
-  int axis = -1;
-  for (int i = 0; i < 3; ++i) {
-    if (across[i] == 0) {
-      if (axis >= 0) return std::nullopt;
-      axis = i;
-    } else if (std::abs(across[i]) != 1) {
-      return std::nullopt;
-    }
+std::size_t Tasks(std::size_t count) { return (count + kGrain - 1) / kGrain; }
+
+/// A set of cells or blocks; what shares a bit with another only costs time.
+class Marks {
+ public:
+  /// For about so many.
+  explicit Marks(std::size_t count)
+      : shift_(64 - std::max(kLeastBits, static_cast<int>(std::bit_width(kBitsAMark * count)))),
+        bits_(std::size_t{1} << (64 - shift_ - 6), 0) {}
+  void Set(std::uint64_t key) { bits_[Bit(key) / 64] |= std::uint64_t{1} << Bit(key) % 64; }
+  bool Has(std::uint64_t key) const { return (bits_[Bit(key) / 64] >> Bit(key) % 64 & 1) != 0; }
+
+ private:
+  static constexpr int kLeastBits = 12;
+  static constexpr std::size_t kBitsAMark = 32;
+  std::size_t Bit(std::uint64_t key) const {
+    return static_cast<std::size_t>(key * 0x9E3779B97F4A7C15u >> shift_);  // Fibonacci hashing
   }
-  if (axis < 0) return std::nullopt;
-  const int u = (axis + 1) % 3, w = (axis + 2) % 3;
-  const Array3i low = corners[0].cell.min(corners[1].cell);
-  std::array<SeenCorner, 4> seen;
-  std::array<int, 4> quadrant{};
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Array3i beyond = corners[i].cell - low;
-    if (beyond[axis] != 0 || (beyond[u] & ~1) != 0 || (beyond[w] & ~1) != 0) return std::nullopt;
-    quadrant[i] = 2 * beyond[u] + beyond[w];
-    // The edge is where the lower cell ends.
-    seen[i] = {corners[i].at[u] + beyond[u] - 1, corners[i].at[w] + beyond[w] - 1,
-               corners[i].at[axis]};
-  }
-  if (quadrant[2] == quadrant[3] || quadrant[2] == quadrant[0] || quadrant[2] == quadrant[1] ||
-      quadrant[3] == quadrant[0] || quadrant[3] == quadrant[1])
-    return std::nullopt;
-  return seen;
-}
+  int shift_;
+  std::vector<std::uint64_t> bits_;
+};
+
+/// Vertices one after the other in one block.
+struct RunOfVertices {
+  std::uint64_t block;
+  std::size_t first;
+};
+
+/// A corner of a triangle, at its vertex.
+struct CornerAt {
+  std::uint32_t vertex, corner;
+  auto operator<=>(const CornerAt&) const = default;
+};
 
 class Proof {
  public:
-  Proof(const Mesh& mesh, const CornerTable& table, const Lattice& lattice)
-      : mesh_(mesh), table_(table), cells_(mesh, lattice) {}
+  Proof(const Mesh& mesh, const Lattice& lattice)
+      : mesh_(mesh),
+        cells_(lattice),
+        quads_(mesh.triangles.size() / 2),
+        state_(mesh.vertices.size()) {}
 
-  LatticeProof Run() {
-    const std::size_t triangles = mesh_.triangles.size();
-    proven_.assign(triangles, 0);
-    tbb::parallel_for(Range(0, triangles / 2, kGrain), [this](const Range& range) {
-      for (std::size_t q = range.begin(); q < range.end(); ++q) {
-        if (IsProven(q)) proven_[2 * q] = proven_[2 * q + 1] = 1;
-      }
-    });
+  std::optional<LatticeProof> Run() {
+    if (!FindRuns()) return std::nullopt;
+    const std::vector<std::uint32_t> unproven = LookAtQuads();
+    if (has_two_at_edge_) return std::nullopt;
     LatticeProof proof;
+    if (!FollowEdges()) return proof;
+    if (!MarkNear(unproven)) return std::nullopt;
+    proof.closed_fans = Collect(proof.doubtful);
     proof.coincident = CountCoincident();
-    if (std::all_of(proven_.begin(), proven_.end(), [](std::uint8_t p) { return p != 0; }))
-      return proof;
-    MarkNeighbourhoods();
-    for (std::uint32_t t = 0; t < triangles; ++t) {
-      if (proven_[t] == 0 || IsNear(mesh_.triangles[t])) proof.doubtful.push_back(t);
-    }
     return proof;
   }
 
  private:
-  bool IsProven(std::size_t quad) const {
-    const auto halves = JoinHalves(mesh_.triangles[2 * quad], mesh_.triangles[2 * quad + 1]);
-    if (!halves) return false;
-    const std::array<std::uint32_t, 4> corners = {halves->d0, halves->d1, halves->a, halves->b};
-    std::array<Placed, 4> placed;
-    for (std::size_t i = 0; i < 4; ++i) {
-      if (!cells_.IsAlone(corners[i])) return false;
-      placed[i] = cells_.At(corners[i]);
-    }
-    // Only where two quadrilaterals around one edge close on each other has a diagonal's end three
-    // triangles: each has two of its own quadrilateral, and one of the other.
-    if (table_.At(halves->d0).size() < 4 || table_.At(halves->d1).size() < 4) return false;
-    const auto seen = SeenAlongEdge(placed);
-    return seen && IsInEnvelope(*seen, kMargin);
+  /// Cuts the vertices into runs and marks those that share cells. False where cells don't ascend
+  /// in a run, or a block has two.
+  bool FindRuns() {
+    const std::size_t count = mesh_.vertices.size();
+    Found<RunOfVertices> found(Tasks(count));
+    std::atomic<bool> is_in_order = true;
+    ForRanges(count, [&](std::size_t task, std::size_t begin, std::size_t end) {
+      std::uint64_t last = begin == 0 ? ~std::uint64_t{0} : cells_.KeyOf(mesh_.vertices[begin - 1]);
+      for (std::size_t v = begin; v < end; ++v) {
+        const std::uint64_t key = cells_.KeyOf(mesh_.vertices[v]);
+        if (key == last && key != kNoCell) {
+          Mark(v - 1, kShared);
+          Mark(v, kShared);
+        } else if (key >> kBitsInBlock != last >> kBitsInBlock) {
+          found.Of(task).push_back({key >> kBitsInBlock, v});
+        } else if (key < last || key == kNoCell) {
+          is_in_order = false;
+        }
+        last = key;
+      }
+    });
+    runs_ = found.All();
+    std::vector<std::uint64_t> blocks;
+    blocks.reserve(runs_.size());
+    for (const RunOfVertices& run : runs_) blocks.push_back(run.block);
+    std::sort(blocks.begin(), blocks.end());
+    return is_in_order && std::adjacent_find(blocks.begin(), blocks.end()) == blocks.end() &&
+           (blocks.empty() || blocks.back() != kNoCell >> kBitsInBlock);
   }
 
-  /// Vertices that coincide are in one cell, or in none.
+  /// Notes at each vertex the edges that quadrilaterals around it are of. Returns those that are
+  /// of none, or not in their edges' envelopes.
+  std::vector<std::uint32_t> LookAtQuads() {
+    Found<std::uint32_t> unproven(Tasks(quads_));
+    ForRanges(quads_, [&](std::size_t task, std::size_t begin, std::size_t end) {
+      LatticeQuads batch(mesh_, cells_);
+      for (std::size_t at = begin; at < end; at += LatticeQuads::kMost) {
+        const std::size_t count = std::min(end - at, LatticeQuads::kMost);
+        batch.Look(at, count);
+        for (std::size_t i = 0; i < count; ++i) {
+          if (!NoteEdge(batch, i)) {
+            Loosen(2 * (at + i));
+            Loosen(2 * (at + i) + 1);
+          } else if (batch.IsInEnvelope(i)) {
+            continue;
+          }
+          unproven.Of(task).push_back(static_cast<std::uint32_t>(at + i));
+        }
+      }
+    });
+    if (mesh_.triangles.size() % 2 == 1) Loosen(mesh_.triangles.size() - 1);
+    return unproven.All();
+  }
+
+  bool NoteEdge(const LatticeQuads& batch, std::size_t i) {
+    if (!batch.IsAroundEdge(i)) return false;
+    const std::array<std::uint32_t, 4> vertices = batch.Vertices(i);
+    for (const std::uint32_t v : vertices)
+      if ((StateOf(v) & kShared) != 0) return false;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::uint32_t edge = 1U << batch.EdgeOf(i, k);
+      const std::uint32_t bits = edge | (batch.StartsInside(i) ? edge << kCellEdges : 0);
+      // Bits that are not set yet can be added, which is one instruction.
+      if ((state_[vertices[k]].fetch_add(bits, std::memory_order_relaxed) & edge) != 0)
+        has_two_at_edge_ = true;  // what is there now means nothing
+    }
+    return true;
+  }
+
+  void Loosen(std::size_t triangle) {
+    for (const std::uint32_t v : mesh_.triangles[triangle]) Mark(v, kLoose);
+  }
+
+  /// Do the edges of each vertex whose triangles all have one make a round? Lists the others.
+  bool FollowEdges() {
+    static const Rounds rounds;
+    Found<std::uint32_t> by_hand(Tasks(state_.size()));
+    std::atomic<bool> all = true;
+    ForRanges(state_.size(), [&](std::size_t task, std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v) {
+        const std::uint32_t state = StateOf(v);
+        if ((state & (kShared | kLoose)) != 0) {
+          by_hand.Of(task).push_back(static_cast<std::uint32_t>(v));
+        } else if (!rounds.Has(state)) {
+          all = false;
+        }
+      }
+    });
+    by_hand_ = by_hand.All();
+    return all;
+  }
+
+  /// A proven triangle reaches from its cells into the next at most. So one that meets the box of
+  /// an unproven triangle has its corners in the cells that this box touches or beside them. False
+  /// where such a box is too large for that to help.
+  bool MarkNear(const std::vector<std::uint32_t>& unproven) {
+    Marks cells(2 * unproven.size() * kCellsATriangle), blocks(2 * unproven.size());
+    const auto mark_around = [&](std::size_t triangle) {
+      Eigen::AlignedBox3i box;
+      for (const std::uint32_t v : mesh_.triangles[triangle])
+        box.extend(cells_.CellOf(mesh_.vertices[v]).matrix());
+      if (box.sizes().maxCoeff() > kMostCells) return false;
+      for (int x = box.min().x() - 1; x <= box.max().x() + 1; ++x) {
+        for (int y = box.min().y() - 1; y <= box.max().y() + 1; ++y) {
+          for (int z = box.min().z() - 1; z <= box.max().z() + 1; ++z) {
+            const std::uint64_t key = LatticeCells::Key(x, y, z);
+            cells.Set(key);
+            blocks.Set(key >> kBitsInBlock);
+          }
+        }
+      }
+      return true;
+    };
+    for (const std::uint32_t q : unproven)
+      if (!mark_around(2 * std::size_t{q}) || !mark_around(2 * std::size_t{q} + 1)) return false;
+    if (mesh_.triangles.size() % 2 == 1 && !mark_around(mesh_.triangles.size() - 1)) return false;
+    tbb::parallel_for(std::size_t{0}, runs_.size(), [&](std::size_t r) {
+      if (!blocks.Has(runs_[r].block)) return;
+      const std::size_t end = r + 1 < runs_.size() ? runs_[r + 1].first : state_.size();
+      for (std::size_t v = runs_[r].first; v < end; ++v)
+        if (cells.Has(cells_.KeyOf(mesh_.vertices[v]))) Mark(v, kNear);
+    });
+    return true;
+  }
+
+  /// Lists the triangles near unproven ones, which are among them. Are the fans closed that edges
+  /// don't tell of?
+  bool Collect(std::vector<std::uint32_t>& doubtful) {
+    const std::size_t count = mesh_.triangles.size();
+    Found<std::uint32_t> near(Tasks(count));
+    Found<CornerAt> corners(Tasks(count));
+    ForRanges(count, [&](std::size_t task, std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end; ++t) {
+        const auto& v = mesh_.triangles[t];
+        const std::uint32_t any = StateOf(v[0]) | StateOf(v[1]) | StateOf(v[2]);
+        if ((any & (kNear | kLoose | kShared)) == 0) continue;
+        if ((any & kNear) != 0) near.Of(task).push_back(static_cast<std::uint32_t>(t));
+        for (std::size_t k = 0; k < 3; ++k)
+          if ((StateOf(v[k]) & (kLoose | kShared)) != 0)
+            corners.Of(task).push_back({v[k], static_cast<std::uint32_t>(3 * t + k)});
+      }
+    });
+    doubtful = near.All();
+    return AreClosedFans(corners.All());
+  }
+
+  bool AreClosedFans(std::vector<CornerAt> corners) const {
+    std::sort(corners.begin(), corners.end());
+    std::size_t fans = 0;
+    std::vector<std::uint32_t> fan;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      fan.push_back(corners[i].corner);
+      if (i + 1 < corners.size() && corners[i + 1].vertex == corners[i].vertex) continue;
+      if (!IsClosedFan(mesh_, corners[i].vertex, fan)) return false;
+      fan.clear();
+      ++fans;
+    }
+    return fans == by_hand_.size();
+  }
+
+  /// Vertices that coincide are in one cell.
   std::int64_t CountCoincident() const {
     std::map<std::array<float, 3>, int> seen;
     std::int64_t count = 0;
-    for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
-      if (cells_.IsAlone(v)) continue;
+    for (const std::uint32_t v : by_hand_) {
+      if ((StateOf(v) & kShared) == 0) continue;
       const Eigen::Vector3f& p = mesh_.vertices[v];
       count += seen[{p.x(), p.y(), p.z()}]++ > 0 ? 1 : 0;
     }
     return count;
   }
 
-  /// A proven triangle reaches from its cells into the next at most. So one that meets the box of
-  /// an unproven triangle has its corners in the cells that this box touches or beside them.
-  void MarkNeighbourhoods() {
-    near_.assign(std::size_t{1} << (kNearBits - 6), 0);
-    for (std::size_t t = 0; t < proven_.size(); ++t) {
-      if (proven_[t] != 0) continue;
-      Eigen::AlignedBox3d box;
-      for (const std::uint32_t v : mesh_.triangles[t]) box.extend(cells_.InCells(v));
-      all_near_ = !(box.sizes().maxCoeff() < kMostCells) ||
-                  !(box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff() < kFarthestCell);
-      if (all_near_) return;
-      const Array3i low = box.min().array().floor().cast<int>() - 1;
-      const Array3i high = box.max().array().floor().cast<int>() + 1;
-      for (int x = low.x(); x <= high.x(); ++x) {
-        for (int y = low.y(); y <= high.y(); ++y) {
-          for (int z = low.z(); z <= high.z(); ++z) {
-            const std::size_t bit = Hash(Key({x, y, z}), kNearBits);
-            near_[bit / 64] |= std::uint64_t{1} << bit % 64;
-          }
-        }
-      }
-    }
+  void Mark(std::size_t vertex, std::uint32_t bit) {
+    state_[vertex].fetch_or(bit, std::memory_order_relaxed);
+  }
+  std::uint32_t StateOf(std::size_t vertex) const {
+    return state_[vertex].load(std::memory_order_relaxed);
   }
 
-  bool IsNear(const std::array<std::uint32_t, 3>& triangle) const {
-    if (all_near_) return true;
-    return std::any_of(triangle.begin(), triangle.end(), [this](std::uint32_t v) {
-      const std::size_t bit = Hash(Key(cells_.At(v).cell), kNearBits);
-      return (near_[bit / 64] >> bit % 64 & 1) != 0;
-    });
-  }
-
-  static constexpr int kNearBits = 20;    // cells that share a bit only cost time
-  static constexpr int kMostCells = 256;  // along a doubtful triangle's box
+  static constexpr int kMostCells = 256;                     // along a doubtful triangle's box
+  static constexpr std::size_t kCellsATriangle = 4 * 4 * 3;  // and around it
 
   const Mesh& mesh_;
-  const CornerTable& table_;
-  Cells cells_;
-  std::vector<std::uint8_t> proven_;
-  std::vector<std::uint64_t> near_;
-  bool all_near_ = false;
+  LatticeCells cells_;
+  std::size_t quads_;
+  std::vector<std::atomic<std::uint32_t>> state_;  // of each vertex
+  std::vector<RunOfVertices> runs_;
+  std::vector<std::uint32_t> by_hand_;
+  std::atomic<bool> has_two_at_edge_ = false;
 };
 
 }  // namespace
 
-LatticeProof ProveByLattice(const Mesh& mesh, const CornerTable& table, const Lattice& lattice) {
-  return Proof(mesh, table, lattice).Run();
+std::optional<LatticeProof> ProveByLattice(const Mesh& mesh, const Lattice& lattice) {
+  return Proof(mesh, lattice).Run();
 }
 
 }  // namespace lascaux

@@ -4,6 +4,7 @@
 #include <tbb/parallel_reduce.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <functional>
 
 namespace lascaux {
@@ -12,13 +13,19 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr std::size_t kGrain = 4096;  // triangles a task
+constexpr std::size_t kGrain = 4096;  // triangles or vertices a task
 
 }  // namespace
 
 Vector3d MiddleOf(const Mesh& mesh) {
-  Eigen::AlignedBox3f box;
-  for (const Eigen::Vector3f& v : mesh.vertices) box.extend(v);
+  using Box = Eigen::AlignedBox3f;
+  const auto extend = [&](const tbb::blocked_range<std::size_t>& range, Box box) {
+    for (std::size_t v = range.begin(); v < range.end(); ++v) box.extend(mesh.vertices[v]);
+    return box;
+  };
+  const Box box =
+      tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, mesh.vertices.size(), kGrain), Box(),
+                           extend, [](const Box& a, const Box& b) { return a.merged(b); });
   return box.cast<double>().center();
 }
 
@@ -45,15 +52,17 @@ double VolumeOf(const Mesh& mesh) {
 MeshMeasures MeasureTriangles(const Mesh& mesh) {
   const Vector3d middle = MiddleOf(mesh);
   const auto add = [&](const tbb::blocked_range<std::size_t>& range, MeshMeasures sum) {
+    double volumes = 0, areas = 0;  // six times the one, twice the other
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       const auto& t = mesh.triangles[i];
       const Vector3d a = mesh.vertices[t[0]].cast<double>() - middle;
       const Vector3d b = mesh.vertices[t[1]].cast<double>() - middle;
       const Vector3d c = mesh.vertices[t[2]].cast<double>() - middle;
-      sum.volume += a.dot(b.cross(c)) / 6;
-      sum.area += (b - a).cross(c - a).norm() / 2;
+      const Vector3d across = (b - a).cross(c - a);
+      volumes += a.dot(across);
+      areas += std::sqrt(across.squaredNorm());
     }
-    return sum;
+    return MeshMeasures{sum.volume + volumes / 6, sum.area + areas / 2};
   };
   return tbb::parallel_deterministic_reduce(
       tbb::blocked_range<std::size_t>(0, mesh.triangles.size(), kGrain), MeshMeasures{}, add,

@@ -51,12 +51,13 @@ struct Lattice {
   double size = 1;
 };
 
-/// The same facts, found sooner for a mesh that has one vertex in most cells of the lattice and
-/// consecutive triangles for each edge of it that the surface crosses, as ExtractMesh makes it.
+/// The same facts, found sooner for a mesh that has one vertex in most cells of the lattice, blocks
+/// of 8 x 8 x 8 cells one after the other, and consecutive triangles for each edge of it that the
+/// surface crosses, as ExtractMesh makes it.
 ///
-/// That no triangle runs through another is proven from where the vertices are in their cells, and
-/// tested triangle by triangle only where that fails: about 0.05 microseconds a triangle on two
-/// cores.
+/// That it is closed and manifold and that no triangle runs through another is proven from where
+/// the vertices are in their cells, and tested one by one only where that fails: about 0.02
+/// microseconds a triangle on two cores, and 4 bytes a vertex.
 MeshFacts CheckMesh(const Mesh& mesh, const Lattice& lattice, const Execution& execution = {});
 
 /// What keeps a mesh from being printed: one error (FailureKind::kMesh) for each defect, with its
