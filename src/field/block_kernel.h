@@ -128,8 +128,7 @@ inline constexpr int kLatticeChecks = 4 * kChecksAWay;
 struct KernelLattice {
   KernelPoints nodes, checks;
   int check_at[kLatticeChecks];  ///< which of the lattice's points
-  KernelPoints layer;            ///< the points whose x is `low`
-  float low, step;               ///< along each axis: low + step * k
+  KernelPoints columns;          ///< the places in the plane, each for a line of the lattice
 };
 
 /// Values on a lattice, layer by layer along x, with what they may be off by.

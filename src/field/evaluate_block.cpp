@@ -308,7 +308,12 @@ internal::KernelLattice LatticeFor(const Offsets& offsets) {
     nodes[k] = offsets[static_cast<std::size_t>(internal::kLatticeNodes[k])];
   internal::KernelLattice lattice;
   PlaceProduct(nodes, nodes, lattice.nodes);
-  PlaceProduct(std::span(offsets).first(1), offsets, lattice.layer);
+  for (std::size_t i = 0; i < kTile; ++i) {
+    lattice.columns.x[i] = offsets[i / offsets.size()];
+    lattice.columns.y[i] = offsets[i % offsets.size()];
+    lattice.columns.z[i] = 0;
+  }
+  lattice.columns.count = kTile;
   for (std::size_t i = 0; i < kChecks.size(); ++i) {
     const std::size_t at = kChecks[i];
     lattice.checks.x[i] = offsets[at / 64];
@@ -317,8 +322,6 @@ internal::KernelLattice LatticeFor(const Offsets& offsets) {
     lattice.check_at[i] = kChecks[i];
   }
   lattice.checks.count = internal::kLatticeChecks;
-  lattice.low = offsets[0];
-  lattice.step = offsets[1] - offsets[0];
   return lattice;
 }
 

@@ -51,14 +51,24 @@ LASCAUX_INLINE bool UpdateLine(const BandView& view, std::size_t at, std::uint64
   return IsAnyBelow(next < kSweepVoxels ? next + kSettled : All(kFar), own);
 }
 
-/// One bit a line of eight along z: bit 8 x + y.
+/// One bit a line of eight along z, 8 bits for each x: y = 0, 2, 4, 6, then 1, 3, 5, 7. Lines that
+/// are updated one after the other don't wait for each other's values, then.
 using LineMask = std::uint64_t;
 
-constexpr LineMask kFirstY = 0x0101010101010101, kLastY = kFirstY << 7;
+constexpr LineMask kEveryX = 0x0101010101010101;
+constexpr LineMask kEven = 0x0F * kEveryX, kOdd = 0xF0 * kEveryX;
+constexpr LineMask kFirstY = kEveryX, kLastY = 0x80 * kEveryX;
+
+/// The first voxel of the line with this bit.
+constexpr std::size_t VoxelOf(std::size_t bit) {
+  return bit / 8 * 64 + 8 * (bit % 4 * 2 + bit / 4 % 2);
+}
 
 /// Lines beside those in `lines`, in the same block.
 LineMask BesideInBlock(LineMask lines) {
-  return lines << 8 | lines >> 8 | (lines << 1 & ~kFirstY) | (lines >> 1 & ~kLastY);
+  const LineMask even = lines & kEven, odd = lines & kOdd;
+  return lines << 8 | lines >> 8 | even << 4 | (even & ~kFirstY) << 3 | odd >> 4 |
+         (odd & ~kLastY) >> 3;
 }
 
 /// Lines of a block beside those in `changed` in its neighbours.
@@ -102,7 +112,7 @@ struct BlockSweep {
   /// Returns the lines that are pending because of this one.
   LASCAUX_INLINE LineMask Update(LineMask line) {
     pending &= ~line;
-    const auto at = 8 * static_cast<std::size_t>(std::countr_zero(line));
+    const std::size_t at = VoxelOf(static_cast<std::size_t>(std::countr_zero(line)));
     if (!UpdateLine(view, at, given[at / 64] >> at % 64 & 0xFF, out)) return 0;
     changed |= line;
     const LineMask touched = line | BesideInBlock(line);
@@ -169,8 +179,10 @@ void FitCrossings(Band& band, const std::vector<VoxelMask>& crossings) {
 /// The lines that hold some of the voxels.
 LineMask LinesOf(const VoxelMask& voxels) {
   LineMask lines = 0;
-  for (std::size_t line = 0; line < 64; ++line)
-    lines |= LineMask{(voxels[line / 8] >> 8 * (line % 8) & 0xFF) != 0} << line;
+  for (std::size_t line = 0; line < 64; ++line) {
+    const std::size_t at = VoxelOf(line);
+    lines |= LineMask{(voxels[at / 64] >> at % 64 & 0xFF) != 0} << line;
+  }
   return lines;
 }
 
