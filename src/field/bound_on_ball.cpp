@@ -240,19 +240,33 @@ BallBounds BallPass::Finish() {
           {std::move(kept_)}};
 }
 
+/// Bounds of a field times its gain, whose logarithm is in a range.
+FieldBounds Amplified(const FieldBounds& bounds, const internal::SplineTable::Extent& gain) {
+  return {bounds.lower * std::exp(gain.low[0]), bounds.upper * std::exp(gain.high[0])};
+}
+
+/// Closer knowledge of the gain is asked for only where it could tell on which side of the surface
+/// the ball is.
+FieldBounds Amplified(const FieldBounds& bounds, const Ball& ball,
+                      const CompiledField::Data& data) {
+  const Eigen::Vector2d reach = Eigen::Vector2d::Constant(ball.radius),
+                        center = ball.center.head<2>();
+  const Eigen::AlignedBox2d box(Eigen::Vector2d(center - reach), Eigen::Vector2d(center + reach));
+  const auto rough = data.gain->RoughExtentOn(box);
+  constexpr auto kSurface = static_cast<float>(kIsoValue);
+  const FieldBounds found = Amplified(bounds, rough);
+  const bool is_told = found.lower > kSurface || found.upper < kSurface;
+  const bool is_open = bounds.lower * std::exp(rough.high[0]) <= kSurface &&
+                       bounds.upper * std::exp(rough.low[0]) >= kSurface;
+  return is_told || is_open ? found : Amplified(bounds, data.gain->ExtentOn(box, *data.kernel));
+}
+
 }  // namespace
 
 BallBounds CompiledField::BoundOnBall(const Ball& ball, const ActiveSet& in,
                                       ActiveSet reuse) const {
   BallBounds found = BallPass(*data_, ball, std::move(reuse.primitives)).Run(in);
-  if (data_->gain) {
-    const Eigen::Vector2d reach = Eigen::Vector2d::Constant(ball.radius),
-                          center = ball.center.head<2>();
-    const auto gain = data_->gain->ExtentOn(
-        {Eigen::Vector2d(center - reach), Eigen::Vector2d(center + reach)}, *data_->kernel);
-    found.bounds.lower *= std::exp(gain.low[0]);
-    found.bounds.upper *= std::exp(gain.high[0]);
-  }
+  if (data_->gain) found.bounds = Amplified(found.bounds, ball, *data_);
   return found;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "bicubic.h"
 
@@ -10,6 +11,18 @@ namespace lascaux::internal {
 namespace {
 
 constexpr int kBefore = kTableReach + 1, kBehind = kTableReach + 3;
+
+constexpr int kTileSide = 16;
+
+SplineTable::Extent Nothing() {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  return {{kInfinity, kInfinity}, {-kInfinity, -kInfinity}};
+}
+
+void Extend(SplineTable::Extent& extent, int channel, float low, float high) {
+  extent.low[channel] = std::min(extent.low[channel], low);
+  extent.high[channel] = std::max(extent.high[channel], high);
+}
 
 std::size_t IndexOf(const DepthMap& map, int column, int row) {
   const int c = std::clamp(column, 0, map.columns - 1), r = std::clamp(row, 0, map.rows - 1);
@@ -29,6 +42,31 @@ void SplineTable::Fill(const Shape& shape, const At& at) {
     for (int column = -kBefore; column < shape.columns + kBehind; ++column) {
       const auto here = at(column, row);
       coefficients_.insert(coefficients_.end(), here.begin(), here.end());
+    }
+  }
+  FindTileExtents();
+}
+
+void SplineTable::FindTileExtents() {
+  const int across = stride_ / shape_.channels, down = kBefore + shape_.rows + kBehind;
+  tiles_across_ = (across - 1) / kTileSide + 1;
+  const auto stride = static_cast<std::size_t>(stride_);
+  const float* from = coefficients_.data();
+  for (int row = 0; row < down; row += kTileSide) {
+    // Of the rows together first, which is done for many columns at once.
+    std::vector<float> low(from, from + stride), high = low;
+    for (int end = std::min(row + kTileSide, down), j = row; j < end; ++j, from += stride) {
+      for (std::size_t i = 0; i < stride; ++i) {
+        low[i] = from[i] < low[i] ? from[i] : low[i];
+        high[i] = from[i] > high[i] ? from[i] : high[i];
+      }
+    }
+    for (int column = 0; column < across; ++column) {
+      if (column % kTileSide == 0) tiles_.push_back(Nothing());
+      for (int k = 0; k < shape_.channels; ++k) {
+        const auto i = static_cast<std::size_t>(column * shape_.channels + k);
+        Extend(tiles_.back(), k, low[i], high[i]);
+      }
     }
   }
 }
@@ -67,14 +105,31 @@ Eigen::Vector2d SplineTable::InCells(const Eigen::Vector2d& place) const {
   return ((place - origin_) / cell_).cwiseMax(-kTableReach).cwiseMin(most);
 }
 
-SplineTable::Extent SplineTable::ExtentOn(const Eigen::AlignedBox2d& box,
-                                          const BlockKernel& kernel) const {
+KernelRectangle SplineTable::CellsOf(const Eigen::AlignedBox2d& box) const {
   const Eigen::Vector2d low = InCells(box.min()), high = InCells(box.max());
   const int column = Floor(low.x()) - 1, row = Floor(low.y()) - 1;
+  return {column, row, Floor(high.x()) + 3 - column, Floor(high.y()) + 3 - row};
+}
+
+SplineTable::Extent SplineTable::ExtentOn(const Eigen::AlignedBox2d& box,
+                                          const BlockKernel& kernel) const {
   Extent extent;
-  kernel.extent(From(origin_),
-                {column, row, Floor(high.x()) + 3 - column, Floor(high.y()) + 3 - row}, extent.low,
-                extent.high);
+  kernel.extent(From(origin_), CellsOf(box), extent.low, extent.high);
+  return extent;
+}
+
+SplineTable::Extent SplineTable::RoughExtentOn(const Eigen::AlignedBox2d& box) const {
+  const KernelRectangle cells = CellsOf(box);
+  const int first = (cells.column + kBefore) / kTileSide,
+            last = (cells.column + cells.columns - 1 + kBefore) / kTileSide,
+            bottom = (cells.row + cells.rows - 1 + kBefore) / kTileSide;
+  Extent extent = Nothing();
+  for (int row = (cells.row + kBefore) / kTileSide; row <= bottom; ++row) {
+    for (int column = first; column <= last; ++column) {
+      const Extent& tile = tiles_[static_cast<std::size_t>(row * tiles_across_ + column)];
+      for (int k = 0; k < shape_.channels; ++k) Extend(extent, k, tile.low[k], tile.high[k]);
+    }
+  }
   return extent;
 }
 

@@ -29,12 +29,17 @@ class SplineTable {
   };
   Extent ExtentOn(const Eigen::AlignedBox2d& box, const BlockKernel& kernel) const;
 
+  /// The same on a somewhat larger box, in a fraction of the time.
+  Extent RoughExtentOn(const Eigen::AlignedBox2d& box) const;
+
  private:
   struct Shape {
     int channels, columns, rows;
   };
   template <typename At>
   void Fill(const Shape& shape, const At& at);
+  void FindTileExtents();
+  KernelRectangle CellsOf(const Eigen::AlignedBox2d& box) const;
   Eigen::Vector2d InCells(const Eigen::Vector2d& place) const;
 
   Eigen::Vector2d origin_;
@@ -42,6 +47,8 @@ class SplineTable {
   Shape shape_{};
   int stride_ = 0;
   std::vector<float> coefficients_;
+  int tiles_across_ = 0;
+  std::vector<Extent> tiles_;  ///< extents of square tiles of the coefficients
 };
 
 }  // namespace lascaux::internal
