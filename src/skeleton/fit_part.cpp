@@ -11,13 +11,13 @@
 
 #include "lascaux/field/field.h"
 #include "skeleton/index.h"
+#include "skeleton/normal_equations.h"
 #include "skeleton/planar_field.h"
 #include "skeleton/ring.h"
 
 namespace lascaux {
 namespace {
 
-using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
@@ -116,60 +116,59 @@ class Model {
   std::vector<double> radii_;
 };
 
-/// The linearised problem at a point: cost, largest drawn distance, J^T W J (its lower triangle)
-/// and J^T W d.
+/// The linearised problem at a point: cost, largest drawn distance, and the normal equations.
 struct Linearised {
   double cost = 0, worst = 0;
-  MatrixXd normal;
-  VectorXd slope;
+  NormalEquations sums;
+
+  explicit Linearised(int unknowns) : sums(unknowns) {}
 };
 
-Linearised LineariseSome(const Model& model, std::span<const Target> targets,
-                         const std::vector<Chain>& chains) {
-  const int n = model.unknowns();
-  Linearised at;
-  at.normal = MatrixXd::Zero(n, n);
-  at.slope = VectorXd::Zero(n);
-  PlanarField field(chains);
+/// Where the problem is linearised, and the cost beyond which nobody wants to know more.
+struct Trial {
+  const std::vector<Chain>& chains;
+  double most_cost;
+};
+
+Linearised LineariseSome(const Model& model, std::span<const Target> targets, const Trial& trial) {
+  Linearised at(model.unknowns());
+  PlanarField field(trial.chains);
   PlanarSample sample;
   for (const Target& target : targets) {
     field.Evaluate(target.point, sample);
     const double d = Residual(sample, target);
     at.cost += target.weight * d * d;
+    if (at.cost > trial.most_cost) break;
     if (target.weight == 1) at.worst = std::max(at.worst, std::abs(d));
     const double steepness = sample.gradient.norm();
     if (!(steepness > 0)) continue;
     // d = (psi - 1) / |grad psi|, and near the surface its change is that of psi alone.
-    for (auto& [index, derivative] : sample.derivatives) {
-      derivative *= -model.Scale(index) / steepness;
+    auto derivative = sample.derivatives.begin();
+    for (const PlanarSample::Run& run : sample.runs) {
+      for (int i = 0; i < run.count; ++i) *derivative++ *= -model.Scale(run.first + i) / steepness;
+      derivative += run.FilledUp() - run.count;
     }
-    // Ascending indices: only the lower triangle, column by column.
-    for (std::size_t k = 0; k < sample.derivatives.size(); ++k) {
-      const auto [j, dj] = sample.derivatives[k];
-      const double weighted = target.weight * dj;
-      at.slope[j] += weighted * d;
-      double* column = at.normal.col(j).data();
-      for (std::size_t m = k; m < sample.derivatives.size(); ++m) {
-        column[sample.derivatives[m].first] += weighted * sample.derivatives[m].second;
-      }
-    }
+    AddRow({sample.runs, sample.derivatives, target.weight, d}, at.sums);
   }
   return at;
 }
 
 /// In halves, side by side, for the torso's fit is longer than those of all other parts together;
-/// unless there are more unknowns than targets, and a second matrix costs more than it saves.
-Linearised Linearise(const Model& model, std::span<const Target> targets, const VectorXd& x) {
+/// unless there are more unknowns than targets, and a second matrix costs more than it saves. What
+/// costs more than `most_cost` is left unfinished.
+Linearised Linearise(const Model& model, std::span<const Target> targets, const VectorXd& x,
+                     double most_cost) {
   const std::vector<Chain> chains = model.At(x);
-  if (targets.size() < Index(model.unknowns())) return LineariseSome(model, targets, chains);
+  const Trial trial{chains, most_cost};
+  if (targets.size() < Index(model.unknowns())) return LineariseSome(model, targets, trial);
   const std::size_t half = targets.size() / 2;
-  Linearised at, rest;
-  tbb::parallel_invoke([&] { at = LineariseSome(model, targets.first(half), chains); },
-                       [&] { rest = LineariseSome(model, targets.subspan(half), chains); });
+  Linearised at(0), rest(0);
+  tbb::parallel_invoke([&] { at = LineariseSome(model, targets.first(half), trial); },
+                       [&] { rest = LineariseSome(model, targets.subspan(half), trial); });
   at.cost += rest.cost;
   at.worst = std::max(at.worst, rest.worst);
-  at.normal += rest.normal;
-  at.slope += rest.slope;
+  at.sums.matrix += rest.sums.matrix;
+  at.sums.slope += rest.sums.slope;
   return at;
 }
 
@@ -181,14 +180,14 @@ VectorXd Solve(const Linearised& at, double damping, double hold, const VectorXd
   // In order: whatever is put between what is there moves all that follows.
   for (Eigen::Index j = 0; j < n; ++j) {
     matrix.startVec(j);
-    matrix.insertBack(j, j) = at.normal(j, j) * (1 + damping) + hold;
+    matrix.insertBack(j, j) = at.sums.matrix(j, j) * (1 + damping) + hold;
     for (Eigen::Index i = j + 1; i < n; ++i) {
-      if (at.normal(i, j) != 0) matrix.insertBack(i, j) = at.normal(i, j);
+      if (at.sums.matrix(i, j) != 0) matrix.insertBack(i, j) = at.sums.matrix(i, j);
     }
   }
   matrix.finalize();
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> factors(matrix);
-  return factors.solve(-(at.slope + hold * x));
+  return factors.solve(-(at.sums.slope + hold * x));
 }
 
 /// Largest distance of a target from the chains' silhouette.
@@ -221,16 +220,16 @@ std::vector<Chain> FitChains(const std::vector<Chain>& chains, const Outline& ou
 
   const double least_hold = kLeastHold * hold;
   VectorXd x = VectorXd::Zero(n), best = x;
-  Linearised at = Linearise(model, targets, x);
+  Linearised at = Linearise(model, targets, x, std::numeric_limits<double>::infinity());
   const double first_worst = at.worst;
   double best_worst = at.worst, damping = kFirstDamping;
   for (int step = 0; step < options.max_steps && best_worst > options.target * diagonal; ++step) {
     const VectorXd move = Solve(at, damping, hold, x);
     if (!move.allFinite()) break;
     const VectorXd next = x + move.cwiseMax(-kLongestStep).cwiseMin(kLongestStep);
-    Linearised there = Linearise(model, targets, next);
-    const double before = at.cost + hold * x.squaredNorm();
-    const double after = there.cost + hold * next.squaredNorm();
+    const double before = at.cost + hold * x.squaredNorm(), held = hold * next.squaredNorm();
+    Linearised there = Linearise(model, targets, next, before - held);
+    const double after = there.cost + held;
     if (!(after < before)) {
       damping *= kMoreDamping;
       if (damping > kMostDamping) break;

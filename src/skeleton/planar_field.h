@@ -2,10 +2,10 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <utility>
 #include <vector>
 
 #include "lascaux/skeleton/creature.h"
+#include "skeleton/segment_lanes.h"
 
 /// @file
 /// A part's field in its own plane, with derivatives with respect to its discs.
@@ -15,13 +15,20 @@
 
 namespace lascaux {
 
-/// Value and gradient at a point, and the derivatives by discs that are not 0: index 3 v + (0: log
-/// radius, 1: x, 2: y), where v counts the vertices of all chains in order. Indices ascend, none
-/// comes twice.
+/// Value and gradient at a point, and the derivatives by discs: index 3 v + (0: log radius, 1: x,
+/// 2: y), where v counts the vertices of all chains in order. Those outside of the runs are 0; runs
+/// ascend and don't touch each other's chains.
 struct PlanarSample {
+  /// Consecutive indices.
+  struct Run {
+    int first, count;
+
+    int FilledUp() const { return (count + 3) / 4 * 4; }
+  };
   double value = 0;
   Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
-  std::vector<std::pair<int, double>> derivatives;
+  std::vector<double> derivatives;  ///< run after run, each filled up with 0 to a multiple of four
+  std::vector<Run> runs;
 };
 
 /// Ricci's blend of chains in their plane.
@@ -44,7 +51,8 @@ class PlanarField {
     int first = 0;                           ///< number of its first vertex
     std::vector<Eigen::Vector2d> positions;  ///< with the ends moved out
     std::vector<double> radii;
-    std::vector<Eigen::AlignedBox2d> boxes;  ///< outside of them, the segments' fields are 0
+    std::vector<LaneSegment> segments;
+    LaneBoxes boxes;  ///< outside of them, the segments' fields are 0
     std::vector<End> ends;
     Eigen::Vector2d center = Eigen::Vector2d::Zero();
     double reach = 0;  ///< its field is 0 further than this from the center
@@ -55,13 +63,14 @@ class PlanarField {
     double radius = 0;
   };
 
+  void AddSegments(const Polyline& line, const Eigen::Vector2d& point, double& value);
   double AddPolyline(const Polyline& line, const Eigen::Vector2d& point, PlanarSample& sample);
 
   std::vector<Polyline> lines_;
   std::vector<Pull> pulls_;  ///< scratch: all 0
   std::vector<double> values_;
   std::vector<Eigen::Vector2d> gradients_;
-  std::vector<std::size_t> row_ends_;
+  std::vector<int> near_;
 };
 
 }  // namespace lascaux

@@ -69,7 +69,11 @@ TEST(PlanarField, DerivativesAgreeWithDifferences) {
     PlanarSample sample, low, high;
     PlanarField(chains).Evaluate(p, sample);
     std::vector<double> derivatives(27, 0);
-    for (const auto& [at, value] : sample.derivatives) derivatives[Index(at)] += value;
+    auto value = sample.derivatives.begin();
+    for (const PlanarSample::Run& run : sample.runs) {
+      for (int i = 0; i < run.count; ++i) derivatives[Index(run.first + i)] += *value++;
+      value += run.FilledUp() - run.count;
+    }
     std::size_t index = 0;
     for (std::size_t c = 0; c < chains.size(); ++c) {
       for (std::size_t v = 0; v < chains[c].vertices.size(); ++v) {

@@ -1,0 +1,58 @@
+#include "skeleton/normal_equations.h"
+
+#include "lascaux/field/compiled_field.h"
+#include "skeleton/four.h"
+#include "skeleton/index.h"
+
+namespace lascaux {
+namespace {
+
+/// Adds `factor` times `values`, a multiple of four, to as many numbers.
+[[gnu::always_inline]] inline void AddScaled(std::span<const double> values, double factor,
+                                             double* to) {
+  for (std::size_t i = 0; i < values.size(); i += 4)
+    StoreFour(LoadFour(to + i) + factor * LoadFour(&values[i]), to + i);
+}
+
+[[gnu::always_inline]] inline void Add(const SparseRow& row, NormalEquations& sums) {
+  const auto rows = static_cast<std::size_t>(sums.matrix.rows());
+  std::span<const double> values = row.values;
+  for (std::size_t r = 0; r < row.runs.size(); ++r) {
+    const PlanarSample::Run& run = row.runs[r];
+    const std::span<const double> own = values.first(Index(run.FilledUp()));
+    values = values.subspan(own.size());
+    for (std::size_t k = 0; k < Index(run.count); ++k) {
+      const std::size_t j = Index(run.first) + k, aligned = k / 4 * 4;
+      const double weighted = row.weight * own[k];
+      sums.slope.data()[j] += weighted * row.residual;
+      double* const column = sums.matrix.data() + rows * j;
+      AddScaled(own.subspan(aligned), weighted, column + Index(run.first) + aligned);
+      std::span<const double> rest = values;
+      for (std::size_t below = r + 1; below < row.runs.size(); ++below) {
+        const PlanarSample::Run& other = row.runs[below];
+        const std::size_t size = Index(other.FilledUp());
+        AddScaled(rest.first(size), weighted, column + other.first);
+        rest = rest.subspan(size);
+      }
+    }
+  }
+}
+
+// The same code twice. Without fused multiplications, which AVX2 by itself has not, the bits agree.
+void AddBaseline(const SparseRow& row, NormalEquations& sums) { Add(row, sums); }
+#if defined(__x86_64__)
+[[gnu::target("avx2")]] void AddAvx2(const SparseRow& row, NormalEquations& sums) {
+  Add(row, sums);
+}
+#else
+constexpr auto AddAvx2 = AddBaseline;
+#endif
+
+}  // namespace
+
+void AddRow(const SparseRow& row, NormalEquations& sums) {
+  static const auto add = BestIsa() == Isa::kBaseline ? AddBaseline : AddAvx2;
+  add(row, sums);
+}
+
+}  // namespace lascaux
