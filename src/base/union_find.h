@@ -3,8 +3,8 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <utility>
-#include <vector>
 
 namespace lascaux {
 
@@ -12,16 +12,22 @@ namespace lascaux {
 /// the order, nor on how many threads join and ask at once.
 class UnionFind {
  public:
-  explicit UnionFind(std::size_t n) : parent_(n) {
+  explicit UnionFind(std::size_t n) : UnionFind(Unset(n)) {
     for (std::size_t i = 0; i < n; ++i)
-      parent_[i].store(static_cast<std::uint32_t>(i), std::memory_order_relaxed);
+      Hang(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i));
   }
+
+  /// The same before each of them is hung somewhere, which threads can share.
+  static UnionFind Unset(std::size_t n) { return UnionFind(Memory(new std::uint32_t[n])); }
+
+  /// Puts one that was not yet into a set: its own, or that of one which is not larger.
+  void Hang(std::uint32_t i, std::uint32_t below) noexcept { SetParent(i, below); }
 
   std::uint32_t Root(std::uint32_t i) noexcept {
     for (std::uint32_t above = Parent(i); above != i; above = Parent(i)) {
       // Halves the way for those who come later; a parent is never above its child.
       const std::uint32_t next = Parent(above);
-      if (next != above) parent_[i].store(next, std::memory_order_relaxed);
+      if (next != above) SetParent(i, next);
       i = next;
     }
     return i;
@@ -37,16 +43,24 @@ class UnionFind {
       if (a == b) return;
       if (a < b) std::swap(a, b);
       std::uint32_t expected = a;  // still a root?
-      if (parent_[a].compare_exchange_weak(expected, b, std::memory_order_relaxed)) return;
+      if (std::atomic_ref(parent_[a]).compare_exchange_weak(expected, b, std::memory_order_relaxed))
+        return;
     }
   }
 
  private:
+  using Memory = std::unique_ptr<std::uint32_t[]>;
+
+  explicit UnionFind(Memory parent) : parent_(std::move(parent)) {}
+
   std::uint32_t Parent(std::uint32_t i) const noexcept {
-    return parent_[i].load(std::memory_order_relaxed);
+    return std::atomic_ref(parent_[i]).load(std::memory_order_relaxed);
+  }
+  void SetParent(std::uint32_t i, std::uint32_t parent) noexcept {
+    std::atomic_ref(parent_[i]).store(parent, std::memory_order_relaxed);
   }
 
-  std::vector<std::atomic<std::uint32_t>> parent_;
+  Memory parent_;
 };
 
 }  // namespace lascaux

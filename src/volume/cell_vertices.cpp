@@ -77,8 +77,7 @@ CellVertices::CellVertices(const NarrowBand& band, const BlocksAbove& above)
   }
 }
 
-std::array<Vector3f, 4> CellVertices::In(std::size_t cell, CellSigns signs,
-                                         const CellPieces& pieces) const {
+std::array<CellVertices::Four, 3> CellVertices::CrossingsOf(std::size_t cell) const {
   const auto step = [cell](std::size_t stride) -> std::size_t {
     return cell / stride % 8 == 7 ? -7 * stride : stride;
   };
@@ -100,16 +99,24 @@ std::array<Vector3f, 4> CellVertices::In(std::size_t cell, CellSigns signs,
     const Four start = corners.Starts(axis);
     crossings[axis] = start / (start + corners.Ends(axis));
   }
-  std::array<Vector3f, 4> means;
-  if (pieces.count == 1) {
-    const OnePiece& one = kOnePieces[signs];
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const Four sums = crossings[axis] * one.crossed[axis];
-      means[0][static_cast<int>(axis)] =
-          ((sums[0] + sums[1]) + (sums[2] + sums[3]) + one.places[axis]) / one.count;
-    }
-    return means;
+  return crossings;
+}
+
+Vector3f CellVertices::InOnePiece(std::size_t cell, CellSigns signs) const {
+  const std::array<Four, 3> crossings = CrossingsOf(cell);
+  const OnePiece& one = kOnePieces[signs];
+  Vector3f mean;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Four sums = crossings[axis] * one.crossed[axis];
+    mean[static_cast<int>(axis)] =
+        ((sums[0] + sums[1]) + (sums[2] + sums[3]) + one.places[axis]) / one.count;
   }
+  return mean;
+}
+
+std::array<Vector3f, 4> CellVertices::In(std::size_t cell, const CellPieces& pieces) const {
+  const std::array<Four, 3> crossings = CrossingsOf(cell);
+  std::array<Vector3f, 4> means;
   std::array<float, 4> count{};
   for (std::size_t p = 0; p < pieces.count; ++p) means[p].setZero();
   for (int axis = 0; axis < 3; ++axis) {

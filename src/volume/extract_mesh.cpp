@@ -1,18 +1,21 @@
 #include "lascaux/volume/extract_mesh.h"
 
 #include <fmt/format.h>
+#include <tbb/combinable.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
+#include <bit>
 #include <new>
 #include <optional>
 
 #include "volume/arena.h"
+#include "volume/block_vertices.h"
 #include "volume/cell_vertices.h"
 #include "volume/diagonals.h"
 #include "volume/onto_surface.h"
 #include "volume/shells.h"
+#include "volume/sign_planes.h"
 #include "volume/surface_cells.h"
 
 namespace lascaux {
@@ -27,61 +30,10 @@ constexpr float kEnvelopeMargin = 1e-3F;
 // How near to its cell's sides a vertex is moved, in voxels.
 constexpr float kLeastInCell = 1e-3F;
 
-constexpr std::array<std::size_t, 3> kStride = {64, 8, 1};
-
-/// Numbers of the first vertex of each cell and of the first quadrilateral of each block, with one
-/// more at the end.
-struct Numbering {
-  std::vector<std::uint32_t> vertex, quad;
-};
-
-/// Is the edge along `axis` that ends in a cell's upper corner crossed? Each edge is for the cell
-/// whose uppermost it is.
-bool IsUpperEdgeCrossed(CellSigns signs, int axis) {
-  return ((signs >> 7 ^ signs >> (7 ^ 1 << axis)) & 1) != 0;
-}
-
-constexpr std::uint32_t kSeveral = ~std::uint32_t{0};
-
-/// The vertex of each of a block's crossed cells, or kSeveral; of others nothing.
-struct BlockVertices {
-  std::array<std::uint32_t, kBlockVoxels> of;
-
-  BlockVertices(const SurfaceCells& cells, const Numbering& numbering, std::size_t block) {
-    cells.ForCells(block, [&](std::size_t cell, std::size_t number) {
-      const std::uint32_t vertex = numbering.vertex[number];
-      of[cell] = numbering.vertex[number + 1] - vertex == 1 ? vertex : kSeveral;
-    });
-  }
-};
-
-Numbering NumberParts(const SurfaceCells& cells) {
-  const std::size_t blocks = cells.crossed.size();
-  Numbering numbering;
-  numbering.vertex.resize(cells.signs.size() + 1);
-  numbering.quad.resize(blocks + 1);
-  std::vector<std::uint32_t> vertices(blocks + 1);
-  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t b) {
-    std::uint32_t vertex = 0, quad = 0;
-    for (std::size_t n = cells.first[b]; n < cells.first[b + 1]; ++n) {
-      numbering.vertex[n] = vertex;
-      vertex += cells.Pieces(n).count;
-      for (int axis = 0; axis < 3; ++axis) quad += IsUpperEdgeCrossed(cells.signs[n], axis) ? 1 : 0;
-    }
-    vertices[b + 1] = vertex;
-    numbering.quad[b + 1] = quad;
-  });
-  for (std::size_t b = 0; b < blocks; ++b) {
-    vertices[b + 1] += vertices[b];
-    numbering.quad[b + 1] += numbering.quad[b];
-  }
-  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t b) {
-    for (std::size_t n = cells.first[b]; n < cells.first[b + 1]; ++n)
-      numbering.vertex[n] += vertices[b];
-  });
-  numbering.vertex.back() = vertices.back();
-  return numbering;
-}
+/// The sides of a quadrilateral's two triangles in its corners, cut from the first corner or not,
+/// and around an edge that starts inside or not: they are seen from outside.
+constexpr std::array<std::array<std::array<std::uint8_t, 6>, 2>, 2> kTriangles = {
+    {{{{0, 3, 1, 3, 2, 1}, {0, 1, 3, 1, 2, 3}}}, {{{0, 3, 2, 0, 2, 1}, {0, 1, 2, 0, 2, 3}}}}};
 
 /// Where the vertices go: onto the field's surface, if there is one, in some cells or in all.
 struct Target {
@@ -100,31 +52,42 @@ class Extraction {
       : band_(band),
         target_(target),
         cells_(FindSurfaceCells(band)),
-        numbering_(NumberParts(cells_)),
-        shells_(numbering_.vertex.back()) {}
+        shells_(UnionFind::Unset(cells_.first_vertex.back())) {}
 
   Outcome<Mesh> Run() {
-    const std::size_t vertices = numbering_.vertex.back(), quads = numbering_.quad.back();
+    const std::size_t vertices = cells_.first_vertex.back(), quads = cells_.first_quad.back();
     mesh_.vertices.resize(vertices);
     mesh_.triangles.resize(2 * quads);
     in_cell_.resize(vertices);
     tbb::parallel_for(std::size_t{0}, band_.size(), [this](std::size_t b) {
+      if (cells_.IsEmpty(b)) return;
       PlaceVertices(b);
       if (target_.field != nullptr) RefineVertices(b);
     });
-    tbb::parallel_for(std::size_t{0}, band_.size(), [this](std::size_t b) { ConnectVertices(b); });
-    return KeepLargestShell(std::move(mesh_), band_.voxel_size, shells_);
+    tbb::parallel_for(std::size_t{0}, band_.size(), [this](std::size_t b) {
+      if (!cells_.IsEmpty(b)) ConnectVertices(b);
+    });
+    JoinShells();
+    return KeepBody();
   }
 
  private:
+  using Pairs = std::vector<std::array<std::uint32_t, 2>>;
+
   void PlaceVertices(std::size_t block) {
-    if (cells_.first[block] == cells_.first[block + 1]) return;
     const CellVertices vertices(band_, cells_.above[block]);
+    const bool is_single = cells_.HasSinglePieces(block);
+    std::uint32_t vertex = cells_.first_vertex[block];
     cells_.ForCells(block, [&](std::size_t cell, std::size_t number) {
-      const CellPieces& pieces = cells_.Pieces(number);
-      const std::array<Vector3f, 4> means = vertices.In(cell, cells_.signs[number], pieces);
+      const CellSigns signs = cells_.signs[number];
+      const CellPieces& pieces = is_single ? PiecesJoined(signs) : cells_.Pieces(number);
+      if (pieces.count == 1) {
+        SetVertex(vertex++, block, InBlock(cell), vertices.InOnePiece(cell, signs));
+        return;
+      }
+      const std::array<Vector3f, 4> means = vertices.In(cell, pieces);
       for (std::size_t p = 0; p < pieces.count; ++p)
-        SetVertex(numbering_.vertex[number] + p, block, InBlock(cell), means[p]);
+        SetVertex(vertex++, block, InBlock(cell), means[p]);
     });
   }
 
@@ -133,11 +96,15 @@ class Extraction {
     BlockPlaces places;
     std::vector<std::uint32_t> which;
     std::vector<Eigen::Vector3i> cells;
+    const bool is_single = cells_.HasSinglePieces(block);
+    std::uint32_t vertex = cells_.first_vertex[block];
     cells_.ForCells(block, [&](std::size_t cell, std::size_t number) {
-      if (cells_.Pieces(number).count != 1 || !target_.Holds(block, cell)) return;
-      which.push_back(numbering_.vertex[number]);
+      const std::uint32_t pieces = is_single ? 1 : cells_.Pieces(number).count, first = vertex;
+      vertex += pieces;
+      if (pieces != 1 || !target_.Holds(block, cell)) return;
+      which.push_back(first);
       cells.push_back(InBlock(cell));
-      places.push_back(cells.back().cast<float>() + in_cell_[which.back()]);
+      places.push_back(cells.back().cast<float>() + in_cell_[first]);
     });
     MoveOntoSurface(*target_.field, band_, block, places);
     for (std::size_t i = 0; i < which.size(); ++i) {
@@ -169,73 +136,58 @@ class Extraction {
   };
 
   void ConnectVertices(std::size_t block) {
-    if (cells_.first[block] == cells_.first[block + 1]) return;
-    const BlockVertices own(cells_, numbering_, block);
+    BlockVertices around(cells_, block);
+    Pairs& pairs = pairs_.local();
     Waiting waiting;
-    waiting.first = numbering_.quad[block];
-    cells_.ForCells(block, [&](std::size_t cell, std::size_t number) {
-      const CellSigns signs = cells_.signs[number];
-      const InBlockCell here{block, cell, own};
-      if (IsUpperEdgeCrossed(signs, 0)) AddQuad<0>(here, signs, waiting);
-      if (IsUpperEdgeCrossed(signs, 1)) AddQuad<1>(here, signs, waiting);
-      if (IsUpperEdgeCrossed(signs, 2)) AddQuad<2>(here, signs, waiting);
+    waiting.first = cells_.first_quad[block];
+    ForLayers(cells_, block, [&](std::size_t x, const SignPlanes& low, const SignPlanes& high) {
+      const std::array<UpperEdges, 3> edges = UpperEdgesOf(low, high);
+      const auto add = [&]<int kAxis>(const UpperEdges& along) {
+        for (std::uint64_t word = along.crossed; word != 0; word &= word - 1) {
+          const auto i = static_cast<std::size_t>(std::countr_zero(word));
+          const std::size_t place = BlockVertices::PlaceOf(64 * x + i);
+          waiting.starts_inside[waiting.count] = along.starts_inside >> i & 1;
+          AddQuad<kAxis>(around, place, waiting, pairs);
+        }
+      };
+      add.template operator()<0>(edges[0]);
+      add.template operator()<1>(edges[1]);
+      add.template operator()<2>(edges[2]);
     });
     Cut(waiting);
+    around.Tell(shells_, pairs);
   }
 
-  /// A cell, with the vertices of its block.
-  struct InBlockCell {
-    std::size_t block, cell;
-    const BlockVertices& own;
-  };
-
-  /// The quadrilateral around the edge along an axis that ends in the cell's upper corner.
+  /// The quadrilateral around the edge along an axis that ends in the upper corner of the cell at
+  /// a place.
   template <int kAxis>
-  void AddQuad(const InBlockCell& here, CellSigns signs, Waiting& waiting) {
-    const std::size_t i = waiting.count++;
-    waiting.starts_inside[i] = signs >> (7 ^ 1 << kAxis) & 1;
+  void AddQuad(BlockVertices& around, std::size_t place, Waiting& waiting, Pairs& pairs) {
+    constexpr std::size_t kU = BlockVertices::kStride[(kAxis + 1) % 3];
+    constexpr std::size_t kW = BlockVertices::kStride[(kAxis + 2) % 3];
     // From the cell itself counter-clockwise, seen from where the axis points to.
-    AddCorner<kAxis, 0, 0>(here, 0, waiting);
-    AddCorner<kAxis, 1, 0>(here, 1, waiting);
-    AddCorner<kAxis, 1, 1>(here, 2, waiting);
-    AddCorner<kAxis, 0, 1>(here, 3, waiting);
-    if (waiting.count == SeenQuads::kMost) Cut(waiting);
-  }
-
-  /// Corner `k` of the last quadrilateral, in the cell one step beyond along the next two axes or
-  /// not.
-  template <int kAxis, int kU, int kW>
-  void AddCorner(const InBlockCell& here, std::size_t k, Waiting& waiting) const {
-    const std::size_t i = waiting.count - 1;
-    const std::uint32_t vertex = CornerVertex<kAxis, kU, kW>(here);
-    const float* const at = in_cell_[vertex].data();
-    waiting.vertices[i][k] = vertex;
-    SeenQuads::Corners& seen = waiting.seen.corners[k];
-    seen.x[i] = at[(kAxis + 1) % 3] + (kU - 1);
-    seen.y[i] = at[(kAxis + 2) % 3] + (kW - 1);
-    seen.height[i] = at[kAxis];
-  }
-
-  template <int kAxis, int kU, int kW>
-  std::uint32_t CornerVertex(const InBlockCell& here) const {
-    std::size_t at = here.cell, side = 0;
-    if constexpr (kU == 1) StepUp<(kAxis + 1) % 3>(at, side);
-    if constexpr (kW == 1) StepUp<(kAxis + 2) % 3>(at, side);
-    if (side == 0 && here.own.of[at] != kSeveral) return here.own.of[at];
-    const std::size_t number =
-        cells_.Number(static_cast<std::size_t>(cells_.above[here.block][side]), at);
-    const std::uint32_t vertex = numbering_.vertex[number];
-    if (numbering_.vertex[number + 1] - vertex == 1) return vertex;
-    // The edge is the upper one of its cell, and the lower one of those beyond.
-    return vertex + cells_.Pieces(number).of_edge[CellEdge(kAxis, 1 - kU, 1 - kW)];
-  }
-
-  template <int kAlong>
-  static void StepUp(std::size_t& cell, std::size_t& side) {
-    constexpr std::size_t kStep = kStride[kAlong];
-    const bool is_beyond = cell / kStep % 8 == 7;
-    cell = is_beyond ? cell - 7 * kStep : cell + kStep;
-    side |= static_cast<std::size_t>(is_beyond) << kAlong;
+    constexpr std::array<std::array<int, 2>, 4> kBeyond = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+    const std::array<std::size_t, 4> places = {place, place + kU, place + kU + kW, place + kW};
+    std::array<BlockVertices::Local, 4> locals;
+    for (std::size_t k = 0; k < 4; ++k) locals[k] = around.At(places[k]);
+    std::array<std::uint32_t, 4>& vertices = waiting.vertices[waiting.count];
+    if (std::max({locals[0], locals[1], locals[2], locals[3]}) != BlockVertices::kSeveral) {
+      for (std::size_t k = 0; k < 4; ++k) vertices[k] = around.Vertex(locals[k]);
+      for (std::size_t k = 1; k < 4; ++k) around.Join(locals[0], locals[k]);
+    } else {
+      // The edge is the upper one of its cell, and the lower one of those beyond.
+      for (std::size_t k = 0; k < 4; ++k)
+        vertices[k] =
+            around.VertexAtEdge(places[k], CellEdge(kAxis, 1 - kBeyond[k][0], 1 - kBeyond[k][1]));
+      for (std::size_t k = 1; k < 4; ++k) pairs.push_back({vertices[0], vertices[k]});
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      const float* const at = in_cell_[vertices[k]].data();
+      SeenQuads::Corners& seen = waiting.seen.corners[k];
+      seen.x[waiting.count] = at[(kAxis + 1) % 3] + static_cast<float>(kBeyond[k][0] - 1);
+      seen.y[waiting.count] = at[(kAxis + 2) % 3] + static_cast<float>(kBeyond[k][1] - 1);
+      seen.height[waiting.count] = at[kAxis];
+    }
+    if (++waiting.count == SeenQuads::kMost) Cut(waiting);
   }
 
   /// Cuts what waits into triangles.
@@ -243,38 +195,50 @@ class Extraction {
     const auto from_first = CutFromFirst(waiting.seen, waiting.count, kEnvelopeMargin);
     for (std::size_t i = 0; i < waiting.count; ++i) {
       const std::array<std::uint32_t, 4>& q = waiting.vertices[i];
-      AddTriangles(2 * (waiting.first + i), q, from_first[i] != 0, waiting.starts_inside[i] != 0);
-      for (std::size_t k = 1; k < 4; ++k) shells_.Join(q[0], q[k]);
+      const std::array<std::uint8_t, 6>& of = kTriangles[from_first[i]][waiting.starts_inside[i]];
+      auto* const triangles = mesh_.triangles.data() + 2 * (waiting.first + i);
+      triangles[0] = {q[of[0]], q[of[1]], q[of[2]]};
+      triangles[1] = {q[of[3]], q[of[4]], q[of[5]]};
     }
     waiting.first += waiting.count;
     waiting.count = 0;
   }
 
-  void AddTriangles(std::size_t at, std::array<std::uint32_t, 4> q, bool from_first,
-                    bool starts_inside) {
-    // Seen from outside, which is where the edge points to when it starts inside.
-    if (!starts_inside) std::swap(q[1], q[3]);
-    if (from_first) {
-      mesh_.triangles[at] = {q[0], q[1], q[2]};
-      mesh_.triangles[at + 1] = {q[0], q[2], q[3]};
-    } else {
-      mesh_.triangles[at] = {q[0], q[1], q[3]};
-      mesh_.triangles[at + 1] = {q[1], q[2], q[3]};
+  void JoinShells() {
+    pairs_.combine_each([this](const Pairs& pairs) {
+      tbb::parallel_for(std::size_t{0}, pairs.size(),
+                        [&](std::size_t i) { shells_.Join(pairs[i][0], pairs[i][1]); });
+    });
+  }
+
+  Outcome<Mesh> KeepBody() {
+    const auto vertices = static_cast<std::uint32_t>(mesh_.vertices.size());
+    std::uint32_t v = 1;
+    while (v < vertices && !shells_.IsRoot(v)) ++v;
+    // A single shell is a body where what is beyond its farthest cell is outside.
+    if (v >= vertices && vertices > 0 && IsOutsideBeyond()) return Outcome<Mesh>(std::move(mesh_));
+    return KeepLargestShell(std::move(mesh_), band_.voxel_size, shells_);
+  }
+
+  bool IsOutsideBeyond() const {
+    std::size_t farthest = band_.size();
+    for (std::size_t b = 0; b < band_.size(); ++b) {
+      if (cells_.IsEmpty(b)) continue;
+      if (farthest == band_.size() || band_.blocks[b].x() > band_.blocks[farthest].x())
+        farthest = b;
     }
+    // In a block, cells are in the order of x; the next one's corners are all on one side.
+    return (cells_.signs[cells_.first[farthest + 1] - 1] & 2) == 0;
   }
 
   const NarrowBand& band_;
   Target target_;
   SurfaceCells cells_;
-  Numbering numbering_;
   UnionFind shells_;
+  tbb::combinable<Pairs> pairs_;  // of vertices that are connected, beside those in one block
   Mesh mesh_;
   std::vector<Vector3f> in_cell_;
 };
-
-}  // namespace
-
-namespace {
 
 Outcome<Mesh> Extract(const NarrowBand& band, const Target& target, const Execution& execution) {
   using Result = Outcome<Mesh>;

@@ -1,5 +1,6 @@
 #include "volume/surface_cells.h"
 
+#include <tbb/combinable.h>
 #include <tbb/parallel_for.h>
 
 #if defined(__SSE2__)
@@ -7,28 +8,26 @@
 #endif
 
 #include <algorithm>
-#include <atomic>
+#include <optional>
+#include <utility>
 
-#include "volume/block_map.h"
+#include "volume/sign_planes.h"
 
 namespace lascaux {
 namespace {
-
-constexpr std::uint64_t kLastZ = 0x8080808080808080;  // the bits with z = 7
-constexpr VoxelMask kNoVoxels{};
-constexpr VoxelMask kAllVoxels = [] {
-  VoxelMask mask{};
-  for (std::uint64_t& word : mask) word = ~std::uint64_t{0};
-  return mask;
-}();
 
 /// Bit i is set where values[i] is below 0.
 std::uint64_t BelowZero(const float* values) {
   std::uint64_t word = 0;
 #if defined(__SSE2__)
-  for (std::size_t i = 0; i < 64; i += 4) {
-    const int four = _mm_movemask_ps(_mm_cmplt_ps(_mm_loadu_ps(values + i), _mm_setzero_ps()));
-    word |= static_cast<std::uint64_t>(four) << i;
+  const auto four = [values](std::size_t i) {
+    return _mm_castps_si128(_mm_cmplt_ps(_mm_loadu_ps(values + i), _mm_setzero_ps()));
+  };
+  for (std::size_t i = 0; i < 64; i += 16) {
+    const __m128i low = _mm_packs_epi32(four(i), four(i + 4));
+    const __m128i high = _mm_packs_epi32(four(i + 8), four(i + 12));
+    const auto bits = static_cast<std::uint32_t>(_mm_movemask_epi8(_mm_packs_epi16(low, high)));
+    word |= std::uint64_t{bits} << i;
   }
 #else
   for (std::size_t i = 0; i < 64; ++i) word |= static_cast<std::uint64_t>(values[i] < 0) << i;
@@ -42,61 +41,8 @@ VoxelMask InsideOf(const float* values) {
   return mask;
 }
 
-/// The planes of 64 cells' lower corners along x, and of those one step along y, z and both.
-struct SignPlanes {
-  std::uint64_t at, y, z, yz;
-};
-
-/// Signs of a block's voxels and of those one step beyond.
-class SignsAround {
- public:
-  SignsAround(const SurfaceCells& cells, std::size_t block) {
-    for (std::size_t side = 0; side < 8; ++side) {
-      const std::int32_t n = cells.above[block][side];
-      if (n != kNoBlock) {
-        masks_[side] = &cells.inside[static_cast<std::size_t>(n)];
-      } else {
-        // A missing block is on the side of the voxels that it would touch.
-        const std::size_t x = side % 2 == 1 ? 7 : 0;
-        const std::size_t bit = (side / 2 % 2 == 1 ? 56 : 0) + (side / 4 == 1 ? 7 : 0);
-        const bool is_inside = (cells.inside[block][x] >> bit & 1) != 0;
-        masks_[side] = is_inside ? &kAllVoxels : &kNoVoxels;
-      }
-    }
-  }
-
-  /// Plane x of the block, 0 to 8.
-  SignPlanes At(std::size_t x) const {
-    const std::size_t beyond = x / 8;
-    const auto word = [&](std::size_t side) { return (*masks_[side + beyond])[x % 8]; };
-    const std::uint64_t at = word(0), z = word(4);
-    const std::uint64_t next_y = at >> 8 | word(2) << 56, next_yz = z >> 8 | word(6) << 56;
-    const auto step_z = [](std::uint64_t own, std::uint64_t above) {
-      return (own >> 1 & ~kLastZ) | (above << 7 & kLastZ);
-    };
-    return {at, next_y, step_z(at, z), step_z(next_y, next_yz)};
-  }
-
- private:
-  std::array<const VoxelMask*, 8> masks_;
-};
-
-/// Calls visit(x, lower, upper) for the planes of corners of each of a block's eight layers.
-template <typename Visit>
-void ForLayers(const SurfaceCells& cells, std::size_t block, Visit&& visit) {
-  const SignsAround around(cells, block);
-  SignPlanes lower = around.At(0);
-  for (std::size_t x = 0; x < 8; ++x) {
-    const SignPlanes upper = around.At(x + 1);
-    visit(x, lower, upper);
-    lower = upper;
-  }
-}
-
-void ConnectBlocks(const NarrowBand& band, SurfaceCells& cells) {
-  const BlockMap map(band.blocks);
+void ConnectBlocks(const NarrowBand& band, const BlockMap& map, SurfaceCells& cells) {
   cells.above.resize(band.size());
-  cells.below.resize(band.size());
   cells.inside.resize(band.size());
   tbb::parallel_for(std::size_t{0}, band.size(), [&](std::size_t b) {
     cells.above[b][0] = static_cast<std::int32_t>(b);
@@ -104,21 +50,23 @@ void ConnectBlocks(const NarrowBand& band, SurfaceCells& cells) {
       const Eigen::Vector3i step(side & 1, side >> 1 & 1, side >> 2);
       cells.above[b][static_cast<std::size_t>(side)] = map.Find(band.blocks[b] + kBlockSide * step);
     }
-    for (int axis = 0; axis < 3; ++axis) {
-      cells.below[b][static_cast<std::size_t>(axis)] =
-          map.Find(band.blocks[b] - kBlockSide * Eigen::Vector3i::Unit(axis));
-    }
     cells.inside[b] = InsideOf(band.values.data() + kBlockVoxels * b);
   });
 }
 
+/// Each number of a block becomes the sum of those before.
+void AddUp(std::vector<std::uint32_t>& numbers) {
+  std::uint32_t sum = 0;
+  for (std::uint32_t& number : numbers) sum += std::exchange(number, sum);
+}
+
 void FindCrossed(SurfaceCells& cells) {
-  const std::size_t blocks = cells.inside.size();
-  cells.crossed.resize(blocks);
-  cells.in_layers.resize(blocks);
-  cells.first.assign(blocks + 1, 0);
-  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t b) {
-    std::uint32_t count = 0;
+  cells.crossed.resize(cells.size());
+  cells.in_layers.resize(cells.size());
+  cells.first.assign(cells.size() + 1, 0);
+  cells.first_quad.assign(cells.size() + 1, 0);
+  tbb::parallel_for(std::size_t{0}, cells.size(), [&](std::size_t b) {
+    std::size_t count = 0, quads = 0;
     ForLayers(cells, b, [&](std::size_t x, const SignPlanes& low, const SignPlanes& high) {
       const std::uint64_t any =
           low.at | low.y | low.z | low.yz | high.at | high.y | high.z | high.yz;
@@ -126,73 +74,99 @@ void FindCrossed(SurfaceCells& cells) {
           low.at & low.y & low.z & low.yz & high.at & high.y & high.z & high.yz;
       cells.crossed[b][x] = any & ~all;
       cells.in_layers[b][x] = static_cast<std::uint16_t>(count);
-      count += static_cast<std::uint32_t>(CountBits(any & ~all));
+      if ((any & ~all) == 0) return;
+      count += CountBits(any & ~all);
+      for (const UpperEdges& edges : UpperEdgesOf(low, high)) quads += CountBits(edges.crossed);
     });
-    cells.first[b + 1] = count;
+    cells.first[b] = static_cast<std::uint32_t>(count);
+    cells.first_quad[b] = static_cast<std::uint32_t>(quads);
   });
-  for (std::size_t b = 0; b < blocks; ++b) cells.first[b + 1] += cells.first[b];
+  AddUp(cells.first);
+  AddUp(cells.first_quad);
 }
 
-void ReadSigns(SurfaceCells& cells) {
+/// A cell with a face that one piece crosses twice.
+struct TwiceCrossed {
+  std::uint32_t number;
+  std::size_t block, cell;
+};
+
+/// Reads the signs and counts the vertices of joined pieces; returns cells in any order.
+std::vector<TwiceCrossed> ReadSigns(SurfaceCells& cells) {
   cells.signs.resize(cells.first.back());
-  tbb::parallel_for(std::size_t{0}, cells.inside.size(), [&](std::size_t b) {
-    std::size_t number = cells.first[b];
+  cells.first_vertex.assign(cells.size() + 1, 0);
+  tbb::combinable<std::vector<TwiceCrossed>> twice;
+  tbb::parallel_for(std::size_t{0}, cells.size(), [&](std::size_t b) {
+    if (cells.IsEmpty(b)) return;
+    std::uint32_t number = cells.first[b], vertices = 0;
     ForLayers(cells, b, [&](std::size_t x, const SignPlanes& low, const SignPlanes& high) {
       for (std::uint64_t word = cells.crossed[b][x]; word != 0; word &= word - 1) {
         const int i = std::countr_zero(word);
         const auto bit = [i](std::uint64_t plane, int corner) {
           return (plane >> i & 1) << corner;
         };
-        cells.signs[number++] = static_cast<CellSigns>(
-            bit(low.at, 0) | bit(high.at, 1) | bit(low.y, 2) | bit(high.y, 3) | bit(low.z, 4) |
-            bit(high.z, 5) | bit(low.yz, 6) | bit(high.yz, 7));
+        const auto signs = static_cast<CellSigns>(bit(low.at, 0) | bit(high.at, 1) | bit(low.y, 2) |
+                                                  bit(high.y, 3) | bit(low.z, 4) | bit(high.z, 5) |
+                                                  bit(low.yz, 6) | bit(high.yz, 7));
+        const CellPieces& pieces = PiecesJoined(signs);
+        vertices += pieces.count;
+        if (pieces.twice != kNoFace)
+          twice.local().push_back({number, b, 64 * x + static_cast<std::size_t>(i)});
+        cells.signs[number++] = signs;
       }
     });
+    cells.first_vertex[b] = vertices;
   });
+  std::vector<TwiceCrossed> all;
+  twice.combine_each([&](const std::vector<TwiceCrossed>& some) {
+    all.insert(all.end(), some.begin(), some.end());
+  });
+  return all;
 }
 
 /// The crossed cell beyond a face of another, if its block is there.
-std::int64_t NumberBeyond(const SurfaceCells& cells, std::size_t block, std::size_t cell,
-                          int face) {
+std::optional<std::size_t> NumberBeyond(const SurfaceCells& cells, const BlockMap& map,
+                                        const Eigen::Vector3i& in, const TwiceCrossed& from) {
+  const int face = PiecesJoined(cells.signs[from.number]).twice;
   constexpr std::array<std::size_t, 3> kStride = {64, 8, 1};
-  const auto axis = static_cast<std::size_t>(face / 2);
-  const std::size_t stride = kStride[axis], place = cell / stride % 8;
-  std::int32_t in = static_cast<std::int32_t>(block);
-  if (face % 2 == 0) {
-    if (place == 0) in = cells.below[block][axis];
-    cell = place == 0 ? cell + 7 * stride : cell - stride;
-  } else {
-    if (place == 7) in = cells.above[block][std::size_t{1} << axis];
-    cell = place == 7 ? cell - 7 * stride : cell + stride;
+  const std::size_t stride = kStride[static_cast<std::size_t>(face / 2)];
+  const std::size_t place = from.cell / stride % 8;
+  const int step = face % 2 == 0 ? -1 : 1;
+  const bool leaves = place == (step < 0 ? 0 : 7);
+  std::size_t cell = from.cell + static_cast<std::size_t>(step) * stride;
+  if (leaves) cell -= static_cast<std::size_t>(step) * 8 * stride;
+  std::size_t block = from.block;
+  if (leaves) {
+    const std::int32_t found = map.Find(in + step * kBlockSide * Eigen::Vector3i::Unit(face / 2));
+    if (found == kNoBlock) return std::nullopt;
+    block = static_cast<std::size_t>(found);
   }
-  if (in == kNoBlock) return -1;
-  const auto there = static_cast<std::size_t>(in);
-  const bool is_crossed = (cells.crossed[there][cell / 64] >> cell % 64 & 1) != 0;
-  return is_crossed ? static_cast<std::int64_t>(cells.Number(there, cell)) : -1;
+  if ((cells.crossed[block][cell / 64] >> cell % 64 & 1) == 0) return std::nullopt;
+  return cells.Number(block, cell);
 }
 
-void PartPieces(SurfaceCells& cells) {
-  cells.apart.assign(cells.signs.size(), 0);
-  tbb::parallel_for(std::size_t{0}, cells.inside.size(), [&](std::size_t b) {
-    cells.ForCells(b, [&](std::size_t cell, std::size_t number) {
-      const std::uint8_t face = PiecesJoined(cells.signs[number]).twice;
-      if (face == kNoFace) return;
-      const std::int64_t other = NumberBeyond(cells, b, cell, face);
-      if (other < 0) return;
-      const std::uint8_t back = PiecesJoined(cells.signs[static_cast<std::size_t>(other)]).twice;
-      if (back == (face ^ 1)) cells.apart[number] = 1;
-    });
-  });
+void PartPieces(const NarrowBand& band, const BlockMap& map, const std::vector<TwiceCrossed>& twice,
+                SurfaceCells& cells) {
+  for (const TwiceCrossed& one : twice) {
+    const auto other = NumberBeyond(cells, map, band.blocks[one.block], one);
+    if (!other) continue;
+    const int face = PiecesJoined(cells.signs[one.number]).twice;
+    if (PiecesJoined(cells.signs[*other]).twice != (face ^ 1)) continue;
+    cells.apart.push_back(one.number);
+    ++cells.first_vertex[one.block];  // one piece more
+  }
+  std::sort(cells.apart.begin(), cells.apart.end());
 }
 
 }  // namespace
 
 SurfaceCells FindSurfaceCells(const NarrowBand& band) {
   SurfaceCells cells;
-  ConnectBlocks(band, cells);
+  const BlockMap map(band.blocks);
+  ConnectBlocks(band, map, cells);
   FindCrossed(cells);
-  ReadSigns(cells);
-  PartPieces(cells);
+  PartPieces(band, map, ReadSigns(cells), cells);
+  AddUp(cells.first_vertex);
   return cells;
 }
 

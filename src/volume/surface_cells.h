@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -8,7 +9,9 @@
 #include <vector>
 
 #include "lascaux/volume/narrow_band.h"
+#include "volume/block_map.h"
 #include "volume/cell_table.h"
+#include "volume/voxel_floats.h"
 
 /// @file
 /// The cells between eight voxel centres that the surface runs through, block by block. A cell has
@@ -26,16 +29,30 @@ inline std::size_t CountBits(std::uint64_t word) {
   return ((word + (word >> 4)) & 0x0F0F0F0F0F0F0F0F) * 0x0101010101010101 >> 56;
 }
 
-/// Crossed cells of a band.
+/// Unset by resize(): threads fill the blocks that they work on.
+template <typename T>
+using OfBlocks = std::vector<T, UnsetAllocator<T>>;
+
+/// Crossed cells of a band, numbered block by block. Their pieces have vertices and the edges that
+/// they cross have quadrilaterals, both in the same order.
 struct SurfaceCells {
-  std::vector<BlocksAbove> above;                  ///< of each block, with itself
-  std::vector<std::array<std::int32_t, 3>> below;  ///< of each block at -x, -y, -z
-  std::vector<VoxelMask> inside;                   ///< voxels, of each block
-  std::vector<VoxelMask> crossed;                  ///< cells, of each block
-  std::vector<std::uint32_t> first;                ///< number of each block's first crossed cell
-  std::vector<std::array<std::uint16_t, 8>> in_layers;  ///< crossed cells before each layer of x
-  std::vector<CellSigns> signs;                         ///< of each crossed cell
-  std::vector<std::uint8_t> apart;  ///< of each: by PiecesApart instead of PiecesJoined
+  OfBlocks<BlocksAbove> above;                       ///< of each block, with itself
+  OfBlocks<VoxelMask> inside;                        ///< voxels, of each block
+  OfBlocks<VoxelMask> crossed;                       ///< cells, of each block
+  OfBlocks<std::array<std::uint16_t, 8>> in_layers;  ///< crossed cells before each layer of x
+  std::vector<std::uint32_t> first;                  ///< number of each block's first crossed cell
+  std::vector<std::uint32_t> first_vertex, first_quad;  ///< of each block, and how many in all
+  OfBlocks<CellSigns> signs;                            ///< of each crossed cell
+  std::vector<std::uint32_t> apart;  ///< cells by PiecesApart instead of PiecesJoined, ascending
+
+  std::size_t size() const { return inside.size(); }
+
+  bool IsEmpty(std::size_t block) const { return first[block] == first[block + 1]; }
+
+  /// Has each cell of a block one piece?
+  bool HasSinglePieces(std::size_t block) const {
+    return first[block + 1] - first[block] == first_vertex[block + 1] - first_vertex[block];
+  }
 
   /// Number of a crossed cell.
   std::size_t Number(std::size_t block, std::size_t cell) const {
@@ -45,7 +62,17 @@ struct SurfaceCells {
   }
 
   const CellPieces& Pieces(std::size_t number) const {
-    return apart[number] != 0 ? PiecesApart(signs[number]) : PiecesJoined(signs[number]);
+    return !apart.empty() && std::binary_search(apart.begin(), apart.end(), number)
+               ? PiecesApart(signs[number])
+               : PiecesJoined(signs[number]);
+  }
+
+  /// The vertex of a cell's first piece.
+  std::uint32_t FirstVertex(std::size_t block, std::size_t number) const {
+    std::uint32_t vertex = first_vertex[block];
+    if (HasSinglePieces(block)) return vertex + static_cast<std::uint32_t>(number - first[block]);
+    for (std::size_t n = first[block]; n < number; ++n) vertex += Pieces(n).count;
+    return vertex;
   }
 
   /// Calls visit(cell, number) for each crossed cell of a block, in order.

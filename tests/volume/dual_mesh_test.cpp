@@ -146,6 +146,15 @@ TEST(ExtractMesh, NoiseIsOneSolidThatDoesNotRunThroughItself) {
   EXPECT_EQ(crossing, 0);
 }
 
+TEST(ExtractMesh, ACavityAloneIsNoBody) {
+  NarrowBand band = Ball(5);
+  EXPECT_TRUE(ExtractMesh(band).ok());
+  for (float& v : band.values) v = -v;
+  const auto mesh = ExtractMesh(band);
+  ASSERT_FALSE(mesh.ok());
+  EXPECT_EQ(mesh.diagnostics().back().code, "empty-mesh");
+}
+
 TEST(CheckMesh, ALatticeChangesNoFact) {
   std::mt19937 random(7);
   int intersecting = 0;
