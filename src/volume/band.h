@@ -51,6 +51,11 @@ std::vector<VoxelMask> FindCrossings(const Band& band);
 /// Fills in `neighbours`.
 void ConnectBlocks(Band& band);
 
+/// Drops the blocks in which nothing is within the band, for no crossing is as near; those inside
+/// become cubes. Bounds alone leave twice as many blocks as have a band. Before any distance is
+/// set.
+void DropFarBlocks(FoundBlocks& found, Band& band, std::vector<VoxelMask>& crossings);
+
 /// Sets `distance` to the first-order distance at the crossings; where that is below about one
 /// voxel, measured once more from the foot of the perpendicular. kFar elsewhere.
 void MeasureCrossings(const BandSource& source, const std::vector<VoxelMask>& crossings, Band& band,

@@ -82,17 +82,16 @@ Outcome<NarrowBand> Fill(const Field& field, double voxel_size, const Execution&
   using Result = Outcome<NarrowBand>;
   const CompiledField compiled(field);
   const BlockSearch search = SearchFor(field, voxel_size);
-  const FoundBlocks found = FindBlocks(compiled, search, execution);
+  FoundBlocks found = FindBlocks(compiled, search, execution);
 
   const BandSource source = {compiled, found.blocks, voxel_size};
   Band band = FindInside(source, execution);
   if (execution.IsCancelled()) return Result::Failure(Cancelled());
   band.upper_half = search.upper_half;
   ConnectBlocks(band);
-  const std::vector<VoxelMask> crossings = FindCrossings(band);
-  bool is_empty = true;
-  for (const VoxelMask& mask : crossings) is_empty = is_empty && mask == VoxelMask{};
-  if (is_empty) return Result::Failure(EmptyField());
+  std::vector<VoxelMask> crossings = FindCrossings(band);
+  DropFarBlocks(found, band, crossings);
+  if (band.size() == 0) return Result::Failure(EmptyField());
 
   MeasureCrossings(source, crossings, band, execution);
   SweepDistances(band, crossings, compiled.isa(), execution);
