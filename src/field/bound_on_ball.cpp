@@ -38,6 +38,37 @@ struct Reached {
   bool matters = true;
 };
 
+/// A ball around all that a depth map makes of one: the smaller of two. What the map shifts and
+/// stretches by anywhere on the ball is known, which is close for large balls; and how fast that
+/// changes, which is close for small ones.
+Ball FlattenBall(const CompiledPart& part, const Ball& ball) {
+  const Eigen::Vector2d place = ball.center.head<2>(),
+                        reach = Eigen::Vector2d::Constant(ball.radius);
+  const auto map =
+      part.table->BoundsOn({Eigen::Vector2d(place - reach), Eigen::Vector2d(place + reach)});
+  const auto middle_low = static_cast<double>(map.extent.low[0]),
+             middle_high = static_cast<double>(map.extent.high[0]),
+             steepest = static_cast<double>(map.extent.high[1]);
+  const double middle = (middle_low + middle_high) / 2;
+  const double steepness = (static_cast<double>(map.extent.low[1]) + steepest) / 2;
+  const double off = ball.center.z() - middle;
+  const double by_extent = ball.radius * std::max(1.0, steepest) +
+                           steepest * (middle_high - middle) +
+                           (steepest - steepness) * std::abs(off);
+
+  // z in the flat space changes by at most `steepest` along z and by `across` in the plane, so
+  // offsets are stretched by no more than the matrix (1 0; across steepest) does.
+  const double farthest = std::abs(off) + (middle_high - middle) + ball.radius;
+  const double across =
+      steepest * static_cast<double>(map.slope[0]) + farthest * static_cast<double>(map.slope[1]);
+  const double squares = 1 + across * across + steepest * steepest;
+  const double stretch =
+      std::sqrt((squares + std::sqrt(squares * squares - 4 * steepest * steepest)) / 2);
+  if (stretch * ball.radius < by_extent)
+    return {internal::Flatten(part, ball.center), stretch * ball.radius};
+  return {{place.x(), place.y(), part.z0 + off * steepness}, by_extent};
+}
+
 /// Goes through a list of primitives, bounds each on the ball and adds up.
 class BallPass {
  public:
@@ -102,17 +133,9 @@ bool BallPass::Enter(const CompiledPart& part) {
     radius_ = ball_.radius * std::max(1.0, part.inv_depth_scale);
     return reaches();
   }
-  const Eigen::Vector2d reach = Eigen::Vector2d::Constant(ball_.radius), place = center.head<2>();
-  const auto range = part.table->ExtentOn(
-      {Eigen::Vector2d(place - reach), Eigen::Vector2d(place + reach)}, *data_.kernel);
-  const auto middle_low = static_cast<double>(range.low[0]),
-             middle_high = static_cast<double>(range.high[0]),
-             steepest = static_cast<double>(range.high[1]);
-  const double middle = (middle_low + middle_high) / 2;
-  const double steepness = (static_cast<double>(range.low[1]) + steepest) / 2;
-  center_ = {center.x(), center.y(), part.z0 + (center.z() - middle) * steepness};
-  radius_ = ball_.radius * std::max(1.0, steepest) + steepest * (middle_high - middle) +
-            (steepest - steepness) * std::abs(center.z() - middle);
+  const Ball flat = FlattenBall(part, ball_);
+  center_ = flat.center;
+  radius_ = flat.radius;
   return reaches();
 }
 

@@ -14,6 +14,19 @@ constexpr int kBefore = kTableReach + 1, kBehind = kTableReach + 3;
 
 constexpr int kTileSide = 16;
 
+/// Of a cell's coefficients, which are the fewest that anybody asks for. A power of 2.
+constexpr int kWindowSide = 4;
+
+float Larger(float a, float b) { return a > b ? a : b; }
+float Smaller(float a, float b) { return a < b ? a : b; }
+
+/// values[i] becomes that of both, `step` apart, wherever there are two.
+template <typename Choose>
+void Join(std::vector<float>& values, std::size_t step, const Choose& choose) {
+  float* const at = values.data();
+  for (std::size_t i = 0; i + step < values.size(); ++i) at[i] = choose(at[i], at[i + step]);
+}
+
 SplineTable::Extent Nothing() {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   return {{kInfinity, kInfinity}, {-kInfinity, -kInfinity}};
@@ -71,11 +84,35 @@ void SplineTable::FindTileExtents() {
   }
 }
 
+/// Windows that go on in the next row are among them; nobody asks for these.
+void SplineTable::FindWindows() {
+  const std::size_t ways[2] = {static_cast<std::size_t>(shape_.channels),
+                               static_cast<std::size_t>(stride_)};
+  const auto differences = [this](std::size_t step) {
+    std::vector<float> result(coefficients_.size());
+    for (std::size_t i = 0; i + step < result.size(); ++i)
+      result[i] = std::abs(coefficients_[i + step] - coefficients_[i]);
+    return result;
+  };
+  least_ = greatest_ = coefficients_;
+  by_x_ = differences(ways[0]);
+  by_y_ = differences(ways[1]);
+  for (const std::size_t way : ways) {
+    for (std::size_t step = way; step < kWindowSide * way; step *= 2) {
+      Join(least_, step, Smaller);
+      Join(greatest_, step, Larger);
+      Join(by_x_, step, Larger);
+      Join(by_y_, step, Larger);
+    }
+  }
+}
+
 SplineTable::SplineTable(const DepthMap& map) : origin_(map.origin), cell_(map.cell) {
   Fill({2, map.columns, map.rows}, [&map](int column, int row) {
     const std::size_t i = IndexOf(map, column, row);
     return std::array{map.middle[i], map.steepness[i]};
   });
+  FindWindows();
 }
 
 SplineTable::SplineTable(const PlanarGain& gain) : origin_(gain.origin), cell_(gain.cell) {
@@ -131,6 +168,28 @@ SplineTable::Extent SplineTable::RoughExtentOn(const Eigen::AlignedBox2d& box) c
     }
   }
   return extent;
+}
+
+SplineTable::MapBounds SplineTable::BoundsOn(const Eigen::AlignedBox2d& box) const {
+  const KernelRectangle cells = CellsOf(box);
+  MapBounds bounds{Nothing(), {}};
+  float by_x[2] = {}, by_y[2] = {};
+  // Windows side by side, the last ones moved back so that they end with the rectangle.
+  for (int row = 0; row < cells.rows; row += kWindowSide) {
+    const int first = (cells.row + std::min(row, cells.rows - kWindowSide) + kBefore) * stride_;
+    for (int column = 0; column < cells.columns; column += kWindowSide) {
+      const int begin = cells.column + std::min(column, cells.columns - kWindowSide) + kBefore;
+      for (int k = 0; k < 2; ++k) {
+        const auto i = static_cast<std::size_t>(first + begin * shape_.channels + k);
+        Extend(bounds.extent, k, least_[i], greatest_[i]);
+        by_x[k] = std::max(by_x[k], by_x_[i]);
+        by_y[k] = std::max(by_y[k], by_y_[i]);
+      }
+    }
+  }
+  for (int k = 0; k < 2; ++k)
+    bounds.slope[k] = std::hypot(by_x[k], by_y[k]) / static_cast<float>(cell_);
+  return bounds;
 }
 
 }  // namespace lascaux::internal

@@ -32,6 +32,13 @@ class SplineTable {
   /// The same on a somewhat larger box, in a fraction of the time.
   Extent RoughExtentOn(const Eigen::AlignedBox2d& box) const;
 
+  /// Bounds of a depth map's splines and of their gradients' lengths in a box.
+  struct MapBounds {
+    Extent extent;
+    float slope[2];
+  };
+  MapBounds BoundsOn(const Eigen::AlignedBox2d& box) const;
+
  private:
   struct Shape {
     int channels, columns, rows;
@@ -39,6 +46,7 @@ class SplineTable {
   template <typename At>
   void Fill(const Shape& shape, const At& at);
   void FindTileExtents();
+  void FindWindows();
   KernelRectangle CellsOf(const Eigen::AlignedBox2d& box) const;
   Eigen::Vector2d InCells(const Eigen::Vector2d& place) const;
 
@@ -49,6 +57,10 @@ class SplineTable {
   std::vector<float> coefficients_;
   int tiles_across_ = 0;
   std::vector<Extent> tiles_;  ///< extents of square tiles of the coefficients
+
+  /// Of the square window of coefficients that begins at each, of a depth map: extents, and the
+  /// largest differences between one and the next along x and y.
+  std::vector<float> least_, greatest_, by_x_, by_y_;
 };
 
 }  // namespace lascaux::internal
