@@ -146,7 +146,8 @@ void BallPass::Consider(std::uint32_t id) {
   const auto k = static_cast<std::size_t>(tile_count_);
   tile_ids_[k] = id;
   if (primitive.is_point()) tile_ranges_[k] = OfPoint(primitive);
-  const Eigen::Vector3f w = ((center_ - primitive.place) / primitive.radius).cast<float>();
+  const double inv_radius = 1 / primitive.radius;
+  const Eigen::Vector3f w = ((center_ - primitive.place) * inv_radius).cast<float>();
   tile_.x[k] = w.x();
   tile_.y[k] = w.y();
   tile_.z[k] = w.z();
@@ -156,7 +157,7 @@ void BallPass::Consider(std::uint32_t id) {
   tile_.slope[k] = primitive.slope;
   tile_.y_end[k] = primitive.y_end;
   tile_.length[k] = primitive.length;
-  tile_.radius[k] = static_cast<float>(radius_ / primitive.radius);
+  tile_.radius[k] = static_cast<float>(radius_ * inv_radius);
   if (++tile_count_ == kBoundTile) Flush();
 }
 

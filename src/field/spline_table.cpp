@@ -143,9 +143,13 @@ Eigen::Vector2d SplineTable::InCells(const Eigen::Vector2d& place) const {
 }
 
 KernelRectangle SplineTable::CellsOf(const Eigen::AlignedBox2d& box) const {
-  const Eigen::Vector2d low = InCells(box.min()), high = InCells(box.max());
-  const int column = Floor(low.x()) - 1, row = Floor(low.y()) - 1;
-  return {column, row, Floor(high.x()) + 3 - column, Floor(high.y()) + 3 - row};
+  // Places in cells are no less than -kTableReach: what is cut off is what floor() would cut off.
+  const auto floor = [](const Eigen::Vector2d& cells) -> Eigen::Array2i {
+    return (cells.array() + kTableReach).cast<int>() - kTableReach;
+  };
+  const Eigen::Array2i first = floor(InCells(box.min())) - 1;
+  const Eigen::Array2i size = floor(InCells(box.max())) + 3 - first;
+  return {first.x(), first.y(), size.x(), size.y()};
 }
 
 SplineTable::Extent SplineTable::ExtentOn(const Eigen::AlignedBox2d& box,
@@ -188,7 +192,7 @@ SplineTable::MapBounds SplineTable::BoundsOn(const Eigen::AlignedBox2d& box) con
     }
   }
   for (int k = 0; k < 2; ++k)
-    bounds.slope[k] = std::hypot(by_x[k], by_y[k]) / static_cast<float>(cell_);
+    bounds.slope[k] = std::sqrt(by_x[k] * by_x[k] + by_y[k] * by_y[k]) / static_cast<float>(cell_);
   return bounds;
 }
 
