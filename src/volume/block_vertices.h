@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -32,6 +33,11 @@ class BlockVertices {
   /// Precondition: the cell at that place is crossed.
   Local At(std::size_t place) const { return locals_[place]; }
   std::uint32_t Vertex(Local local) const { return vertices_[local]; }
+  /// Those that are alone in their cells.
+  std::span<const std::uint32_t> Vertices() const { return {vertices_.data(), count_}; }
+
+  /// Of vertices combined by "or": all others are below 1024.
+  static bool IsAnySeveral(int locals) { return locals == kSeveral; }
 
   /// The vertex of the piece that crosses an edge (CellEdge) of the cell at a place.
   std::uint32_t VertexAtEdge(std::size_t place, std::size_t edge) const;

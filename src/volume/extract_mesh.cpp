@@ -137,6 +137,7 @@ class Extraction {
 
   void ConnectVertices(std::size_t block) {
     BlockVertices around(cells_, block);
+    for (const std::uint32_t v : around.Vertices()) __builtin_prefetch(in_cell_.data() + v);
     Pairs& pairs = pairs_.local();
     Waiting waiting;
     waiting.first = cells_.first_quad[block];
@@ -165,29 +166,37 @@ class Extraction {
     constexpr std::size_t kU = BlockVertices::kStride[(kAxis + 1) % 3];
     constexpr std::size_t kW = BlockVertices::kStride[(kAxis + 2) % 3];
     // From the cell itself counter-clockwise, seen from where the axis points to.
-    constexpr std::array<std::array<int, 2>, 4> kBeyond = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
     const std::array<std::size_t, 4> places = {place, place + kU, place + kU + kW, place + kW};
-    std::array<BlockVertices::Local, 4> locals;
-    for (std::size_t k = 0; k < 4; ++k) locals[k] = around.At(places[k]);
+    using Local = BlockVertices::Local;
+    const Local a = around.At(places[0]), b = around.At(places[1]), c = around.At(places[2]),
+                d = around.At(places[3]);
     std::array<std::uint32_t, 4>& vertices = waiting.vertices[waiting.count];
-    if (std::max({locals[0], locals[1], locals[2], locals[3]}) != BlockVertices::kSeveral) {
-      for (std::size_t k = 0; k < 4; ++k) vertices[k] = around.Vertex(locals[k]);
-      for (std::size_t k = 1; k < 4; ++k) around.Join(locals[0], locals[k]);
+    if (!BlockVertices::IsAnySeveral(a | b | c | d)) {
+      vertices = {around.Vertex(a), around.Vertex(b), around.Vertex(c), around.Vertex(d)};
+      around.Join(a, b);
+      around.Join(a, c);
+      around.Join(a, d);
     } else {
       // The edge is the upper one of its cell, and the lower one of those beyond.
-      for (std::size_t k = 0; k < 4; ++k)
-        vertices[k] =
-            around.VertexAtEdge(places[k], CellEdge(kAxis, 1 - kBeyond[k][0], 1 - kBeyond[k][1]));
+      constexpr std::array<std::size_t, 4> kEdges = {CellEdge(kAxis, 1, 1), CellEdge(kAxis, 0, 1),
+                                                     CellEdge(kAxis, 0, 0), CellEdge(kAxis, 1, 0)};
+      for (std::size_t k = 0; k < 4; ++k) vertices[k] = around.VertexAtEdge(places[k], kEdges[k]);
       for (std::size_t k = 1; k < 4; ++k) pairs.push_back({vertices[0], vertices[k]});
     }
-    for (std::size_t k = 0; k < 4; ++k) {
-      const float* const at = in_cell_[vertices[k]].data();
-      SeenQuads::Corners& seen = waiting.seen.corners[k];
-      seen.x[waiting.count] = at[(kAxis + 1) % 3] + static_cast<float>(kBeyond[k][0] - 1);
-      seen.y[waiting.count] = at[(kAxis + 2) % 3] + static_cast<float>(kBeyond[k][1] - 1);
-      seen.height[waiting.count] = at[kAxis];
-    }
+    SeeCorner<kAxis, 0, -1, -1>(vertices[0], waiting);
+    SeeCorner<kAxis, 1, 0, -1>(vertices[1], waiting);
+    SeeCorner<kAxis, 2, 0, 0>(vertices[2], waiting);
+    SeeCorner<kAxis, 3, -1, 0>(vertices[3], waiting);
     if (++waiting.count == SeenQuads::kMost) Cut(waiting);
+  }
+
+  template <int kAxis, std::size_t kCorner, int kX, int kY>
+  void SeeCorner(std::uint32_t vertex, Waiting& waiting) const {
+    const float* const at = in_cell_[vertex].data();
+    SeenQuads::Corners& seen = waiting.seen.corners[kCorner];
+    seen.x[waiting.count] = at[(kAxis + 1) % 3] + static_cast<float>(kX);
+    seen.y[waiting.count] = at[(kAxis + 2) % 3] + static_cast<float>(kY);
+    seen.height[waiting.count] = at[kAxis];
   }
 
   /// Cuts what waits into triangles.
