@@ -1,5 +1,7 @@
 #include "lascaux/volume/mesh_details.h"
 
+#include <tbb/parallel_for.h>
+
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
@@ -26,12 +28,12 @@ float LinearFromSrgb(std::uint8_t value) noexcept {
 std::vector<std::uint16_t> PartsOfTriangles(
     const std::vector<std::array<std::uint32_t, 3>>& triangles,
     const std::vector<std::uint16_t>& vertex_parts) {
-  std::vector<std::uint16_t> result;
-  result.reserve(triangles.size());
-  for (const auto& [a, b, c] : triangles) {
+  std::vector<std::uint16_t> result(triangles.size());
+  tbb::parallel_for(std::size_t{0}, triangles.size(), [&](std::size_t t) {
+    const auto& [a, b, c] = triangles[t];
     const bool others = vertex_parts[b] == vertex_parts[c];
-    result.push_back(vertex_parts[others ? b : a]);
-  }
+    result[t] = vertex_parts[others ? b : a];
+  });
   return result;
 }
 

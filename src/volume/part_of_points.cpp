@@ -76,9 +76,7 @@ std::vector<std::uint16_t> PartOfPoints(const Field& field, std::span<const Eige
   std::vector<std::uint16_t> result(points.size(), kNoPart);
   const std::vector<CompiledField> parts = CompileParts(field);
   const std::vector<float> say = SayOfParts(field);
-  const PointCells cells(points);
-  const auto decide = [&](std::size_t cell) {
-    const std::span<const std::uint32_t> which = cells.Points(cell);
+  const auto decide = [&](std::span<const std::uint32_t> which) {
     const CellBlock block(points, which, offset);
     const std::vector<Candidate> candidates = FindCandidates(parts, say, block.ball);
     std::vector<float> best(which.size(), 0.0F), values(which.size());
@@ -92,7 +90,11 @@ std::vector<std::uint16_t> PartOfPoints(const Field& field, std::span<const Eige
       }
     }
   };
-  RunInArena(execution, [&] { tbb::parallel_for(std::size_t{0}, cells.count(), decide); });
+  RunInArena(execution, [&] {
+    const PointCells cells(points);
+    tbb::parallel_for(std::size_t{0}, cells.count(),
+                      [&](std::size_t cell) { decide(cells.Points(cell)); });
+  });
   return result;
 }
 

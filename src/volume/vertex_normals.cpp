@@ -1,8 +1,13 @@
 #include "lascaux/volume/vertex_normals.h"
 
+#include <tbb/combinable.h>
 #include <tbb/parallel_for.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <map>
 #include <span>
 
 #include "lascaux/field/compiled_field.h"
@@ -11,44 +16,95 @@
 
 namespace lascaux {
 
-std::vector<Eigen::Vector3f> VertexNormals(const Mesh& mesh) {
-  // Sums of cross products, whose lengths are twice the areas.
-  std::vector<Eigen::Vector3d> sums(mesh.vertices.size(), Eigen::Vector3d::Zero());
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const Eigen::Vector3d origin = mesh.vertices[a].cast<double>();
-    const Eigen::Vector3d cross =
-        (mesh.vertices[b].cast<double>() - origin).cross(mesh.vertices[c].cast<double>() - origin);
-    for (const std::uint32_t corner : {a, b, c}) sums[corner] += cross;
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::Vector3f;
+using Triangle = std::array<std::uint32_t, 3>;
+
+constexpr float kFarthest = 0.5F;  // cosine of 60 degrees
+
+/// Twice the area, across the triangle.
+template <typename T>
+Eigen::Vector3<T> CrossOf(const Mesh& mesh, const Triangle& t) {
+  const Eigen::Vector3<T> origin = mesh.vertices[t[0]].cast<T>();
+  return (mesh.vertices[t[1]].cast<T>() - origin).cross(mesh.vertices[t[2]].cast<T>() - origin);
+}
+
+/// Turns what is more than 60 degrees from the faces' mean to that mean.
+void TurnToFaces(const Mesh& mesh, std::vector<Vector3f>& normals) {
+  // Where all faces are within 60 degrees, their mean is; they are looked at in single precision.
+  constexpr float kSurely = kFarthest + 1e-3F;
+  std::vector<std::atomic<std::uint8_t>> is_far(normals.size());
+  const auto is_any_far = [&](const Triangle& t) {
+    return std::any_of(t.begin(), t.end(), [&](std::uint32_t v) {
+      return is_far[v].load(std::memory_order_relaxed) != 0;
+    });
+  };
+  tbb::parallel_for(std::size_t{0}, mesh.triangles.size(), [&](std::size_t i) {
+    const Vector3f cross = CrossOf<float>(mesh, mesh.triangles[i]);
+    const float least = kSurely * cross.norm();
+    for (const std::uint32_t v : mesh.triangles[i])
+      if (!(cross.dot(normals[v]) > least)) is_far[v].store(1, std::memory_order_relaxed);
+  });
+  tbb::combinable<std::vector<std::uint32_t>> found;
+  tbb::parallel_for(std::size_t{0}, mesh.triangles.size(), [&](std::size_t i) {
+    if (is_any_far(mesh.triangles[i])) found.local().push_back(static_cast<std::uint32_t>(i));
+  });
+  std::vector<std::uint32_t> triangles;
+  found.combine_each([&](const std::vector<std::uint32_t>& some) {
+    triangles.insert(triangles.end(), some.begin(), some.end());
+  });
+  std::sort(triangles.begin(), triangles.end());
+  std::map<std::uint32_t, Vector3d> sums;
+  for (const std::uint32_t i : triangles) {
+    const Vector3d cross = CrossOf<double>(mesh, mesh.triangles[i]);
+    for (const std::uint32_t v : mesh.triangles[i])
+      if (is_far[v].load(std::memory_order_relaxed) != 0)
+        sums.try_emplace(v, Vector3d::Zero()).first->second += cross;
   }
-  std::vector<Eigen::Vector3f> normals;
+  for (const auto& [v, sum] : sums) {
+    const Vector3f mean = sum.stableNormalized().cast<float>();
+    if (!(normals[v].dot(mean) > kFarthest)) normals[v] = mean;
+  }
+}
+
+}  // namespace
+
+std::vector<Vector3f> VertexNormals(const Mesh& mesh) {
+  std::vector<Vector3d> sums(mesh.vertices.size(), Vector3d::Zero());
+  for (const Triangle& t : mesh.triangles) {
+    const Vector3d cross = CrossOf<double>(mesh, t);
+    for (const std::uint32_t corner : t) sums[corner] += cross;
+  }
+  std::vector<Vector3f> normals;
   normals.reserve(sums.size());
   // stableNormalized() leaves a zero vector zero.
-  for (const Eigen::Vector3d& sum : sums)
-    normals.emplace_back(sum.stableNormalized().cast<float>());
+  for (const Vector3d& sum : sums) normals.emplace_back(sum.stableNormalized().cast<float>());
   return normals;
 }
 
-std::vector<Eigen::Vector3f> FieldNormals(const Mesh& mesh, const Field& field,
-                                          const Eigen::Vector3d& offset,
-                                          const Execution& execution) {
-  constexpr float kFarthest = 0.5F;  // cosine of 60 degrees
-  std::vector<Eigen::Vector3f> normals = VertexNormals(mesh);
+std::vector<Vector3f> FieldNormals(const Mesh& mesh, const Field& field, const Vector3d& offset,
+                                   const Execution& execution) {
+  std::vector<Vector3f> normals(mesh.vertices.size(), Vector3f::Zero());
   const CompiledField compiled(field);
-  const PointCells cells(mesh.vertices);
-  const auto smooth = [&](std::size_t cell) {
-    const std::span<const std::uint32_t> which = cells.Points(cell);
+  const auto smooth = [&](std::span<const std::uint32_t> which) {
     const CellBlock block(mesh.vertices, which, offset);
     const ActiveSet active = compiled.BoundOnBall(block.ball, compiled.All()).active;
     std::vector<float> value(which.size()), x(which.size()), y(which.size()), z(which.size());
     compiled.EvaluateSamples(block.Points(), active, {value, x, y, z});
     for (std::size_t i = 0; i < which.size(); ++i) {
-      const Eigen::Vector3f outward = -Eigen::Vector3f(x[i], y[i], z[i]);
+      const Vector3f outward = -Vector3f(x[i], y[i], z[i]);
       const float length = outward.norm();
-      Eigen::Vector3f& normal = normals[which[i]];
-      if (outward.dot(normal) > kFarthest * length) normal = outward / length;
+      if (length > 0) normals[which[i]] = outward / length;
     }
   };
-  RunInArena(execution, [&] { tbb::parallel_for(std::size_t{0}, cells.count(), smooth); });
+  RunInArena(execution, [&] {
+    const PointCells cells(mesh.vertices);
+    tbb::parallel_for(std::size_t{0}, cells.count(),
+                      [&](std::size_t cell) { smooth(cells.Points(cell)); });
+    TurnToFaces(mesh, normals);
+  });
   return normals;
 }
 
