@@ -44,11 +44,9 @@ PrintFacts MeasureForPrint(const Mesh& mesh, const MeshDetails& details, double 
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3f& v : mesh.vertices) box.extend(v.cast<double>());
   if (!box.isEmpty()) facts.size = millimetres * box.sizes();
-  facts.wall = SmallestWall(mesh, execution);
-  if (facts.wall && millimetres * facts.wall->thickness < kThinWall) {
-    const double limit = kThinWall / millimetres;
-    facts.thin = TellThinPlaces(mesh, FindThinWalls(mesh, limit, execution), limit);
-  }
+  const WallFacts walls = MeasureWalls(mesh, kThinWall / millimetres, execution);
+  facts.wall = walls.smallest;
+  facts.thin = walls.thin;
   facts.wall_part = PartOf(facts.wall, details);
   facts.thin_part = PartOf(facts.thin.wall ? facts.thin.wall : facts.thin.tip, details);
   for (std::optional<Wall>* const wall : {&facts.wall, &facts.thin.wall, &facts.thin.tip}) {

@@ -52,4 +52,16 @@ struct ThinPlaces {
 /// and when it does not hold two thick pieces together. About 0.5 us a triangle.
 ThinPlaces TellThinPlaces(const Mesh& mesh, const std::vector<Wall>& walls, double limit);
 
+/// The smallest wall, and the thin places below a limit.
+struct WallFacts {
+  std::optional<Wall> smallest;
+  ThinPlaces thin;
+
+  bool operator==(const WallFacts&) const = default;
+};
+
+/// SmallestWall(), and TellThinPlaces() of FindThinWalls(), which need one look at each triangle
+/// together.
+WallFacts MeasureWalls(const Mesh& mesh, double limit, const Execution& execution = {});
+
 }  // namespace lascaux

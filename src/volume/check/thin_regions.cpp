@@ -1,3 +1,5 @@
+#include "volume/check/thin_regions.h"
+
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -9,8 +11,6 @@
 #include <vector>
 
 #include "base/union_find.h"
-#include "lascaux/volume/wall_thickness.h"
-#include "volume/check/triangle_grid.h"
 
 namespace lascaux {
 namespace {
@@ -30,9 +30,9 @@ class Regions {
     ListTriangles();
   }
 
-  ThinPlaces Tell() {
+  ThinPlaces Tell(const TriangleGrid& grid) {
     FindThickPieces();
-    JoinOppositeSides();
+    JoinOppositeSides(grid);
     MeasureFromThick();
     return Sort();
   }
@@ -55,8 +55,13 @@ class Regions {
   void Spread(std::vector<double>& distance, double farthest, Arrive&& arrive) const {
     using Entry = std::pair<double, std::uint32_t>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-    for (std::uint32_t v = 0; v < distance.size(); ++v)
-      if (distance[v] == 0) queue.emplace(0.0, v);
+    // Only from where the way leads on.
+    std::vector<std::uint8_t> is_queued(distance.size(), 0);
+    for (const auto& t : mesh_.triangles) {
+      if (distance[t[0]] == 0 && distance[t[1]] == 0 && distance[t[2]] == 0) continue;
+      for (const std::uint32_t v : t)
+        if (distance[v] == 0 && std::exchange(is_queued[v], 1) == 0) queue.emplace(0.0, v);
+    }
     while (!queue.empty()) {
       const auto [so_far, v] = queue.top();
       queue.pop();
@@ -95,13 +100,12 @@ class Regions {
   }
 
   /// The two sides of a lens with a sharp rim are one piece: what most rays from one of them meet.
-  void JoinOppositeSides() {
+  void JoinOppositeSides(const TriangleGrid& grid) {
     std::map<std::uint32_t, std::vector<std::uint32_t>> triangles;  // of each piece
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
       if (const std::uint32_t piece = piece_[mesh_.triangles[t][0]]; piece != kNone)
         triangles[piece].push_back(t);
     if (triangles.size() < 2) return;
-    const TriangleGrid grid(mesh_);
     UnionFind joined(mesh_.vertices.size());
     for (const auto& [piece, own] : triangles) {
       std::map<std::uint32_t, std::size_t> met;
@@ -119,7 +123,7 @@ class Regions {
   std::uint32_t PieceBehind(const TriangleGrid& grid, std::uint32_t triangle) const {
     const Triangle& t = grid.triangles()[triangle];
     const std::atomic<double> anywhere = kInfinity;
-    const Hit hit = grid.Shoot(triangle, t.a + (t.ab + t.ac) / 3, -t.normal, anywhere);
+    const Hit hit = grid.Shoot(triangle, t.a + (t.ab + t.ac) / 3, -grid.normal(triangle), anywhere);
     return hit.distance < kInfinity ? piece_[mesh_.triangles[hit.triangle][0]] : kNone;
   }
 
@@ -165,9 +169,15 @@ class Regions {
 
 }  // namespace
 
+ThinPlaces TellThinPlaces(const Mesh& mesh, const std::vector<Wall>& walls, double limit,
+                          const TriangleGrid& grid) {
+  if (walls.empty()) return {};
+  return Regions(mesh, walls, limit).Tell(grid);
+}
+
 ThinPlaces TellThinPlaces(const Mesh& mesh, const std::vector<Wall>& walls, double limit) {
   if (walls.empty()) return {};
-  return Regions(mesh, walls, limit).Tell();
+  return TellThinPlaces(mesh, walls, limit, TriangleGrid(mesh));
 }
 
 }  // namespace lascaux

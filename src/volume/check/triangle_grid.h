@@ -1,5 +1,9 @@
 #pragma once
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -8,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -16,7 +21,7 @@
 namespace lascaux {
 
 struct Triangle {
-  Eigen::Vector3d a, ab, ac, normal;  // of length 1; 0 for a triangle without area
+  Eigen::Vector3d a, ab, ac;
 };
 
 /// Where a ray ends.
@@ -30,20 +35,30 @@ class TriangleGrid {
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   /// Cosine: sides within 60 degrees of facing each other are walls.
   static constexpr double kFacing = -0.5;
-  static constexpr int kMostCells = 128;  ///< along the longest side: 2 million cells in all
+  static constexpr int kMostCells = 256;       ///< along the longest side
+  static constexpr double kLargest = 1 << 23;  ///< cells in all
+  /// A surface meets about 2 k^2 of k^3 cells: so many triangles have their middle in each.
+  static constexpr double kTrianglesACell = 6;
 
  public:
   explicit TriangleGrid(const Mesh& mesh) {
     for (const Eigen::Vector3f& v : mesh.vertices) box_.extend(v.cast<double>());
-    triangles_.reserve(mesh.triangles.size());
-    for (const auto& t : mesh.triangles) triangles_.push_back(MakeTriangle(mesh, t));
-    cell_ = std::max(box_.sizes().maxCoeff() / kMostCells, 1e-30);
+    triangles_.resize(mesh.triangles.size());
+    normals_.resize(triangles_.size());
+    tbb::parallel_for(std::size_t{0}, triangles_.size(),
+                      [&](std::size_t i) { SetTriangle(mesh, i); });
+    const double cells = std::sqrt(static_cast<double>(triangles_.size()) / (2 * kTrianglesACell));
+    cell_ = std::max(box_.sizes().maxCoeff() / std::clamp(cells, 1.0, double{kMostCells}), 1e-30);
     // Large triangles lie in many cells: larger cells until there are few entries for each.
-    while (CountEntries() > 12 * triangles_.size() + 4096) cell_ *= 2;
+    while (CountEntries() > 12 * triangles_.size() + 4096 ||
+           count_.cast<double>().prod() > kLargest)
+      cell_ *= 2;
     Fill();
   }
 
   const std::vector<Triangle>& triangles() const { return triangles_; }
+  /// Of length 1; 0 for a triangle without area.
+  const Eigen::Vector3d& normal(std::size_t triangle) const { return normals_[triangle]; }
 
   /// The nearest triangle other than `self`, from `start` in the direction of length 1, that faces
   /// along it; anything beyond `limit` counts as infinitely far.
@@ -63,7 +78,8 @@ class TriangleGrid {
          from <= std::min(nearest.distance, limit.load(std::memory_order_relaxed));) {
       const std::size_t c = Index(cell);
       for (std::size_t i = first_[c]; i < first_[c + 1]; ++i) {
-        if (entries_[i] == self) continue;
+        // Most of what is near is on the side that the ray comes from.
+        if (!(normals_[entries_[i]].dot(direction) > -kFacing) || entries_[i] == self) continue;
         const double distance = DistanceTo(triangles_[entries_[i]], start, direction);
         if (distance < nearest.distance) nearest = {distance, entries_[i]};
       }
@@ -77,13 +93,13 @@ class TriangleGrid {
   }
 
  private:
-  static Triangle MakeTriangle(const Mesh& mesh, const std::array<std::uint32_t, 3>& t) {
-    Triangle triangle;
+  void SetTriangle(const Mesh& mesh, std::size_t i) {
+    const auto& t = mesh.triangles[i];
+    Triangle& triangle = triangles_[i];
     triangle.a = mesh.vertices[t[0]].cast<double>();
     triangle.ab = mesh.vertices[t[1]].cast<double>() - triangle.a;
     triangle.ac = mesh.vertices[t[2]].cast<double>() - triangle.a;
-    triangle.normal = triangle.ab.cross(triangle.ac).stableNormalized();
-    return triangle;
+    normals_[i] = triangle.ab.cross(triangle.ac).stableNormalized();
   }
 
   Eigen::Array3i CellOf(const Eigen::Vector3d& p) const {
@@ -97,42 +113,50 @@ class TriangleGrid {
   }
 
   template <typename Visit>
-  void ForCells(const Triangle& t, Visit&& visit) const {
-    const Eigen::Vector3d b = t.a + t.ab, c = t.a + t.ac;
-    const Eigen::Array3i low = CellOf(t.a.cwiseMin(b).cwiseMin(c));
-    const Eigen::Array3i high = CellOf(t.a.cwiseMax(b).cwiseMax(c));
-    for (int x = low.x(); x <= high.x(); ++x)
-      for (int y = low.y(); y <= high.y(); ++y)
-        for (int z = low.z(); z <= high.z(); ++z) visit(Index({x, y, z}));
+  void ForCells(std::size_t triangle, Visit&& visit) const {
+    const auto& [low, high] = spans_[triangle];
+    for (int x = low[0]; x <= high[0]; ++x)
+      for (int y = low[1]; y <= high[1]; ++y)
+        for (int z = low[2]; z <= high[2]; ++z) visit(Index({x, y, z}));
   }
 
   std::size_t CountEntries() {
     count_ = (box_.sizes().array() / cell_).floor().cast<int>() + 1;
-    std::size_t entries = 0;
-    for (const Triangle& t : triangles_) {
-      const Eigen::Vector3d b = t.a + t.ab, c = t.a + t.ac;
-      const Eigen::Array3i size =
-          CellOf(t.a.cwiseMax(b).cwiseMax(c)) - CellOf(t.a.cwiseMin(b).cwiseMin(c)) + 1;
-      entries += static_cast<std::size_t>(size.cast<double>().prod());
-    }
-    return entries;
+    spans_.resize(triangles_.size());
+    const auto add = [&](const tbb::blocked_range<std::size_t>& range, std::size_t entries) {
+      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+        const Triangle& t = triangles_[i];
+        const Eigen::Vector3d b = t.a + t.ab, c = t.a + t.ac;
+        const Eigen::Array3i low = CellOf(t.a.cwiseMin(b).cwiseMin(c));
+        const Eigen::Array3i high = CellOf(t.a.cwiseMax(b).cwiseMax(c));
+        for (int k = 0; k < 3; ++k) {
+          spans_[i].low[static_cast<std::size_t>(k)] = static_cast<std::int16_t>(low[k]);
+          spans_[i].high[static_cast<std::size_t>(k)] = static_cast<std::int16_t>(high[k]);
+        }
+        entries += static_cast<std::size_t>((high - low + 1).cast<double>().prod());
+      }
+      return entries;
+    };
+    return tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, triangles_.size(), kGrain),
+                                std::size_t{0}, add, std::plus<>());
   }
 
   /// A counting sort, so that the order depends on the mesh alone.
   void Fill() {
     first_.assign(static_cast<std::size_t>(count_.cast<double>().prod()) + 1, 0);
-    for (const Triangle& t : triangles_) ForCells(t, [&](std::size_t cell) { ++first_[cell + 1]; });
+    for (std::size_t i = 0; i < triangles_.size(); ++i)
+      ForCells(i, [&](std::size_t cell) { ++first_[cell + 1]; });
     for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
     entries_.resize(first_.back());
     std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
     for (std::uint32_t i = 0; i < triangles_.size(); ++i)
-      ForCells(triangles_[i], [&](std::size_t cell) { entries_[next[cell]++] = i; });
+      ForCells(i, [&](std::size_t cell) { entries_[next[cell]++] = i; });
+    spans_ = {};
   }
 
   /// Moeller and Trumbore, 1997.
   static double DistanceTo(const Triangle& t, const Eigen::Vector3d& start,
                            const Eigen::Vector3d& direction) {
-    if (!(t.normal.dot(direction) > -kFacing)) return kInfinity;
     const Eigen::Vector3d p = direction.cross(t.ac);
     const double scale = t.ab.dot(p);
     const Eigen::Vector3d from = start - t.a;
@@ -148,7 +172,15 @@ class TriangleGrid {
   Eigen::AlignedBox3d box_;
   double cell_ = 1;
   Eigen::Array3i count_ = Eigen::Array3i::Ones();
+  /// The cells that a triangle's box touches.
+  struct Span {
+    std::array<std::int16_t, 3> low, high;
+  };
+  static constexpr std::size_t kGrain = 4096;
+
   std::vector<Triangle> triangles_;
+  std::vector<Eigen::Vector3d> normals_;
+  std::vector<Span> spans_;  // while the cells are filled
   std::vector<std::uint32_t> first_, entries_;
 };
 

@@ -1,16 +1,17 @@
 #include "lascaux/volume/wall_thickness.h"
 
-#include <tbb/blocked_range.h>
+#include <tbb/combinable.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "volume/arena.h"
+#include "volume/check/thin_regions.h"
 #include "volume/check/triangle_grid.h"
 
 namespace lascaux {
@@ -31,62 +32,83 @@ bool IsValid(const Mesh& mesh) {
 /// From the middle of a triangle straight inward; infinitely thick where nothing is nearer than the
 /// limit.
 Wall WallAt(const TriangleGrid& grid, std::size_t i, const std::atomic<double>& limit) {
-  const Triangle& t = grid.triangles()[i];
+  const Vector3d& normal = grid.normal(i);
   Wall wall;
   wall.thickness = kInfinity;
   wall.triangle = static_cast<std::uint32_t>(i);
-  if (t.normal.isZero()) return wall;
+  if (normal.isZero()) return wall;
+  const Triangle& t = grid.triangles()[i];
   const Vector3d middle = t.a + (t.ab + t.ac) / 3;
-  wall.thickness = grid.Shoot(i, middle, -t.normal, limit).distance;
-  if (wall.thickness < kInfinity) wall.middle = middle - wall.thickness / 2 * t.normal;
+  wall.thickness = grid.Shoot(i, middle, -normal, limit).distance;
+  if (wall.thickness < kInfinity) wall.middle = middle - wall.thickness / 2 * normal;
   return wall;
 }
 
 /// The thinner one, of equals the one with the smaller index: the same in any order.
-Wall Thinner(const Wall& a, const Wall& b) {
-  if (a.thickness != b.thickness) return a.thickness < b.thickness ? a : b;
-  return a.triangle <= b.triangle ? a : b;
+bool IsThinner(const Wall& a, const Wall& b) {
+  return a.thickness != b.thickness ? a.thickness < b.thickness : a.triangle < b.triangle;
+}
+
+/// Walls thinner than `limit`, by triangles, and the smallest one: of those below `farthest`, which
+/// is not below the limit.
+struct FoundWalls {
+  std::vector<Wall> thin;
+  std::optional<Wall> smallest;
+};
+
+FoundWalls LookFor(const TriangleGrid& grid, double limit, double farthest,
+                   const Execution& execution) {
+  std::atomic<double> reach = farthest;
+  tbb::combinable<FoundWalls> parts;
+  tbb::parallel_for(std::size_t{0}, grid.triangles().size(), [&](std::size_t i) {
+    if (execution.IsCancelled()) return;
+    const Wall wall = WallAt(grid, i, reach);
+    if (!(wall.thickness < farthest)) return;
+    FoundWalls& found = parts.local();
+    if (wall.thickness < limit) found.thin.push_back(wall);
+    if (!found.smallest || IsThinner(wall, *found.smallest)) found.smallest = wall;
+    const double enough = std::max(limit, wall.thickness);
+    double known = reach.load(std::memory_order_relaxed);
+    while (enough < known && !reach.compare_exchange_weak(known, enough)) {
+    }
+  });
+  FoundWalls all;
+  parts.combine_each([&](const FoundWalls& found) {
+    all.thin.insert(all.thin.end(), found.thin.begin(), found.thin.end());
+    if (found.smallest && (!all.smallest || IsThinner(*found.smallest, *all.smallest)))
+      all.smallest = found.smallest;
+  });
+  std::sort(all.thin.begin(), all.thin.end(),
+            [](const Wall& a, const Wall& b) { return a.triangle < b.triangle; });
+  return all;
 }
 
 }  // namespace
 
 std::optional<Wall> SmallestWall(const Mesh& mesh, const Execution& execution) {
   if (!IsValid(mesh) || mesh.triangles.empty()) return std::nullopt;
-  const TriangleGrid grid(mesh);
-  std::atomic<double> limit = kInfinity;
-  Wall none;
-  none.thickness = kInfinity;
-  const auto shoot = [&](const tbb::blocked_range<std::size_t>& range, Wall best) {
-    for (std::size_t i = range.begin(); i < range.end() && !execution.IsCancelled(); ++i) {
-      const Wall wall = WallAt(grid, i, limit);
-      if (!(wall.thickness < kInfinity)) continue;
-      best = Thinner(best, wall);
-      double known = limit.load(std::memory_order_relaxed);
-      while (wall.thickness < known && !limit.compare_exchange_weak(known, wall.thickness)) {
-      }
-    }
-    return best;
-  };
-  Wall best = none;
-  RunInArena(execution, [&] {
-    best = tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, mesh.triangles.size(), 256),
-                                none, shoot, Thinner);
-  });
-  if (!(best.thickness < kInfinity)) return std::nullopt;
-  return best;
+  FoundWalls found;
+  RunInArena(execution, [&] { found = LookFor(TriangleGrid(mesh), 0, kInfinity, execution); });
+  return found.smallest;
 }
 
 std::vector<Wall> FindThinWalls(const Mesh& mesh, double limit, const Execution& execution) {
   if (!IsValid(mesh) || mesh.triangles.empty()) return {};
-  const TriangleGrid grid(mesh);
-  const std::atomic<double> farthest = limit;
-  std::vector<Wall> walls(mesh.triangles.size());
+  FoundWalls found;
+  RunInArena(execution, [&] { found = LookFor(TriangleGrid(mesh), limit, limit, execution); });
+  return std::move(found.thin);
+}
+
+WallFacts MeasureWalls(const Mesh& mesh, double limit, const Execution& execution) {
+  WallFacts facts;
+  if (!IsValid(mesh) || mesh.triangles.empty()) return facts;
   RunInArena(execution, [&] {
-    tbb::parallel_for(std::size_t{0}, walls.size(),
-                      [&](std::size_t i) { walls[i] = WallAt(grid, i, farthest); });
+    const TriangleGrid grid(mesh);
+    const FoundWalls found = LookFor(grid, limit, kInfinity, execution);
+    facts.smallest = found.smallest;
+    facts.thin = TellThinPlaces(mesh, found.thin, limit, grid);
   });
-  std::erase_if(walls, [limit](const Wall& wall) { return !(wall.thickness < limit); });
-  return walls;
+  return facts;
 }
 
 }  // namespace lascaux
