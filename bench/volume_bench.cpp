@@ -14,7 +14,7 @@
 #include "lascaux/volume/extract_mesh.h"
 #include "lascaux/volume/fidelity.h"
 #include "lascaux/volume/level_set.h"
-#include "lascaux/volume/render.h"
+#include "lascaux/volume/render_grids.h"
 
 namespace {
 

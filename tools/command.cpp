@@ -116,9 +116,12 @@ LastStage LastStageFor(Verb verb, const std::vector<OutputTarget>& targets) {
   return picture ? LastStage::kPreview : LastStage::kMesh;
 }
 
-bool NeedsOpenVdb(const std::vector<OutputTarget>& targets, const VolumeOptions& volume) {
-  return std::any_of(targets.begin(), targets.end(), [&volume](const OutputTarget& target) {
-    return IsPicture(target.kind) || (target.kind == OutputKind::kVdb && NeedsOpenVdb(volume));
+bool NeedsOpenVdb(const std::vector<OutputTarget>& targets, const CommandOptions& options) {
+  RenderOptions render = options.pipeline.preview.render;
+  if (HasLayers(targets)) render.layers = Layers::kAll;
+  return std::any_of(targets.begin(), targets.end(), [&](const OutputTarget& target) {
+    return (IsPicture(target.kind) && NeedsOpenVdb(render)) ||
+           (target.kind == OutputKind::kVdb && NeedsOpenVdb(options.write.volume));
   });
 }
 
@@ -205,9 +208,7 @@ ExitCode RunCommand(Verb verb, const CommandOptions& options, const Execution& e
     return ExitCode::kUsage;
   }
   // On time for whoever writes a level set or a picture at the end, beside the drawing's reading.
-  const auto needs = [&options](const auto& targets) {
-    return NeedsOpenVdb(targets, options.write.volume);
-  };
+  const auto needs = [&options](const auto& targets) { return NeedsOpenVdb(targets, options); };
   const bool uses_openvdb =
       options.pipeline.print.Any() || std::any_of(plan->begin(), plan->end(), needs);
   if (uses_openvdb) PreloadGridPlugin();

@@ -16,8 +16,8 @@
 
 /// @file
 /// What needs OpenVDB's library. That takes 30 ms to load, longer than to understand a drawing: so
-/// it is in a plugin that is loaded meanwhile, and not at all where nobody wants a .vdb or a
-/// picture.
+/// it is in a plugin that is loaded meanwhile, and not at all where nobody wants more than the
+/// surface, or pictures in colour.
 
 namespace lascaux {
 

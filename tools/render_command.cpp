@@ -12,7 +12,7 @@
 #include "lascaux/io/read_file.h"
 #include "lascaux/io/read_picture.h"
 #include "lascaux/io/read_vdb.h"
-#include "lascaux/volume/render.h"
+#include "lascaux/volume/render_grids.h"
 #include "mesh_details_of.h"
 #include "output_plan.h"
 #include "picture_file.h"

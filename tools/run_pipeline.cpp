@@ -13,6 +13,7 @@
 #include "lascaux/skeleton/normalise_outline.h"
 #include "lascaux/volume/extract_mesh.h"
 #include "lascaux/volume/narrow_band.h"
+#include "lascaux/volume/render.h"
 #include "lascaux/volume/simplify.h"
 #include "mesh_details_of.h"
 #include "record_print.h"
@@ -243,6 +244,28 @@ class Run {
       options.material = Material::kClay;
     }
     for (const View view : options_.preview.views) shots.emplace_back(options).view = view;
+    std::vector<Picture> pictures;
+    if (!Keep(NeedsOpenVdb(options) ? DrawGrids(shots) : DrawClay(shots), pictures)) return false;
+    const int columns = SheetColumns(static_cast<int>(pictures.size()));
+    model_.preview =
+        pictures.size() == 1 ? std::move(pictures[0]) : ArrangePictures(pictures, columns);
+    return true;
+  }
+
+  Outcome<std::vector<Picture>> DrawClay(const std::vector<RenderOptions>& shots) {
+    std::vector<Picture> pictures;
+    Diagnostics log;
+    for (const RenderOptions& shot : shots) {
+      auto picture = Render(model_.grid->surface, shot, execution_).MoveInto(log);
+      if (!picture) return Outcome<std::vector<Picture>>::Failure(std::move(log));
+      pictures.push_back(std::move(*picture));
+    }
+    return {std::move(pictures), std::move(log)};
+  }
+
+  Outcome<std::vector<Picture>> DrawGrids(const std::vector<RenderOptions>& shots) {
+    const auto& plugin = LoadGridPlugin();
+    if (!plugin) return Outcome<std::vector<Picture>>::Failure(plugin.diagnostics());
     const std::vector<MeshPart> parts = FieldPartsOf(model_);
     std::vector<std::string> names;
     for (const MeshPart& part : parts) names.push_back(part.name);
@@ -253,16 +276,7 @@ class Run {
                              {},
                              UpAxis::kY,
                              model_.colors ? &*model_.colors : nullptr};
-    const auto& plugin = LoadGridPlugin();
-    std::vector<Picture> pictures;
-    if (!(plugin ? Keep((*plugin)->render(volume, PaletteOf(names), shots, execution_), pictures)
-                 : Keep(Outcome<std::vector<Picture>>::Failure(plugin.diagnostics()), pictures))) {
-      return false;
-    }
-    const int columns = SheetColumns(static_cast<int>(pictures.size()));
-    model_.preview =
-        pictures.size() == 1 ? std::move(pictures[0]) : ArrangePictures(pictures, columns);
-    return true;
+    return (*plugin)->render(volume, PaletteOf(names), shots, execution_);
   }
 
   std::string_view bytes_;

@@ -36,6 +36,11 @@ struct PreviewOptions {
   RenderOptions render;  ///< of each view; the head is where the eyes are
 };
 
+/// True for pictures that show more than clay: colours and parts come as OpenVDB's grids.
+inline bool NeedsOpenVdb(const RenderOptions& options) noexcept {
+  return options.material != Material::kClay || options.layers == Layers::kAll;
+}
+
 /// The options of every stage, and what no single stage owns.
 struct PipelineOptions {
   ReadSvgOptions read;

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "lascaux/io/write_png.h"
-#include "lascaux/volume/render.h"
+#include "lascaux/volume/render_grids.h"
 #include "render/animal.h"
 
 /// Draws the four views of a level set for people to look at: draw_views FOLDER [MODEL.vdb [WIDTH

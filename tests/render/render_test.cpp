@@ -1,5 +1,3 @@
-#include "lascaux/volume/render.h"
-
 #include <gtest/gtest.h>
 #include <openvdb/tools/LevelSetSphere.h>
 
@@ -8,6 +6,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "lascaux/volume/render_grids.h"
 #include "render/animal.h"
 
 namespace lascaux {

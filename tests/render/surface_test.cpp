@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "volume/render/distance_transform.h"
+#include "volume/render/grid_leaves.h"
 
 namespace lascaux {
 namespace {
@@ -75,7 +76,8 @@ TEST(SpreadSeeds, FindsTheNearestSeedOfEveryNode) {
 
 TEST(CoarseField, IsTheDistanceInItsBoxAndNotMoreOutside) {
   const auto grid = Sphere();
-  const CoarseField coarse(*grid, 30);
+  const LeafTable leaves = LeavesOf(*grid);
+  const CoarseField coarse(leaves, 30);
   EXPECT_EQ(coarse.stride(), 3);
   EXPECT_NEAR(coarse.ground(), kCenter.y() - kRadius, 0.5);
   Random random(1);
@@ -93,8 +95,9 @@ TEST(CoarseField, IsTheDistanceInItsBoxAndNotMoreOutside) {
 
 TEST(Surface, RaysMeetASphereWhereItIs) {
   const auto grid = Sphere();
-  const CoarseField coarse(*grid, 30);
-  const Surface surface(*grid, coarse);
+  const LeafTable leaves = LeavesOf(*grid);
+  const CoarseField coarse(leaves, 30);
+  const Surface surface(leaves, coarse);
   Random random(2);
   int hits = 0;
   for (int i = 0; i < 3000; ++i) {
@@ -119,8 +122,9 @@ TEST(Surface, RaysMeetASphereWhereItIs) {
 
 TEST(Surface, RaysAroundAFreeLengthMeetNothingWithinIt) {
   const auto grid = Sphere();
-  const CoarseField coarse(*grid, 30);
-  const Surface surface(*grid, coarse);
+  const LeafTable leaves = LeavesOf(*grid);
+  const CoarseField coarse(leaves, 30);
+  const Surface surface(leaves, coarse);
   Random random(3);
   for (int i = 0; i < 3000; ++i) {
     const Eigen::Vector3f eye = kCenter + 200 * random.Direction();

@@ -26,10 +26,12 @@ class CommandTest(ProgramTest):
     def test_openvdb_is_loaded_only_where_it_is_used(self):
         # The dynamic loader says what it loads.
         environment = {**os.environ, "LD_DEBUG": "files"}
-        for name, uses in (("cat.stl", False), ("cat.json", False), ("cat.vdb", False), ("cat.png", True)):
-            process = run("build", CAT, "-o", self.folder / name, *SMALL, env=environment)
+        cases = (("cat.stl", [], False), ("cat.json", [], False), ("cat.vdb", [], False), ("cat.png", [], False),
+                 ("cat.png", ["--material", "parts"], True), ("cat.vdb", ["--fog"], True))
+        for name, options, uses in cases:
+            process = run("build", CAT, "-o", self.folder / name, *options, *SMALL, env=environment)
             self.assert_code(process, 0)
-            self.assertEqual("libopenvdb" in process.stderr, uses, name)
+            self.assertEqual("libopenvdb" in process.stderr, uses, [name, *options])
 
     def test_without_outputs_it_is_a_check(self):
         process = run("build", CAT, *SMALL)

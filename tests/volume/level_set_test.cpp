@@ -9,6 +9,8 @@
 #include <limits>
 #include <vector>
 
+#include "lascaux/volume/render.h"
+#include "lascaux/volume/render_grids.h"
 #include "volume/band.h"
 #include "volume/fields.h"
 #include "volume/find_blocks.h"
@@ -193,6 +195,18 @@ TEST(SweepDistances, GivesTheSameBitsForEveryInstructionSet) {
     Band other = band;
     SweepDistances(other, crossings, isa, {});
     EXPECT_EQ(other.distance, baseline.distance) << Name(isa);
+  }
+}
+
+TEST(Render, ABandLooksLikeItsGrid) {
+  RenderOptions options{.width = 120, .height = 90};
+  for (const Field& field : {AnimalField(), RandomField(5)}) {
+    const auto band = RasteriseBand(field, {0.04});
+    ASSERT_TRUE(band.ok());
+    const auto direct = Render(*band, options);
+    const auto grid = Render(ShownModel{ToLevelSet(*band)}, options);
+    ASSERT_TRUE(direct.ok() && grid.ok());
+    EXPECT_TRUE(*direct == *grid);
   }
 }
 

@@ -5,8 +5,9 @@
 
 #include "lascaux/io/write_vdb.h"
 #include "lascaux/volume/level_set.h"
-#include "lascaux/volume/render.h"
+#include "lascaux/volume/render_grids.h"
 #include "lascaux/volume/volume_grids.h"
+#include "run_pipeline.h"
 
 namespace lascaux {
 namespace {
@@ -27,9 +28,7 @@ Outcome<std::vector<Picture>> RenderModel(const ModelVolume& model,
                                           const Execution& execution) {
   const auto surface = ToLevelSet(model.surface, execution);
   ShownModel shown{surface, nullptr, nullptr, palette};
-  const auto needs_colors = [](const RenderOptions& o) {
-    return o.material != Material::kClay || o.layers == Layers::kAll;
-  };
+  const auto needs_colors = [](const RenderOptions& o) { return NeedsOpenVdb(o); };
   if (std::any_of(options.begin(), options.end(), needs_colors)) {
     const ColorGrids grids = ColorsBesideSurface(*surface, model, execution);
     shown.color = grids.color;

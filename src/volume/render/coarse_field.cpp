@@ -14,26 +14,21 @@ namespace {
 /// to the box.
 constexpr int kMargin = 3;
 
-Eigen::Vector3f ToVector(const openvdb::Coord& c) {
-  return Eigen::Vector3i(c.x(), c.y(), c.z()).cast<float>();
-}
-
 /// A node at most this far from the surface is a seed: no feature passes between nodes unseen (half
 /// a cell's diagonal), as long as the band is that wide.
 constexpr float kSeedStrides = 0.87F;
 
 }  // namespace
 
-CoarseField::CoarseField(const openvdb::FloatGrid& grid, int nodes) {
-  const openvdb::CoordBBox box = grid.evalActiveVoxelBoundingBox();
-  const openvdb::Coord extent = box.dim();
-  const int longest = std::max({extent.x(), extent.y(), extent.z()});
+CoarseField::CoarseField(const LeafTable& table, int nodes) {
+  const Eigen::Vector3i extent = table.active_high - table.active_low + Eigen::Vector3i(1, 1, 1);
+  const int longest = extent.maxCoeff();
   const int stride = std::max(1, (longest + nodes - 1) / nodes);
-  for (unsigned axis = 0; axis < 3; ++axis) {
-    size_[axis] = extent[axis] / stride + 2 + 2 * kMargin;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    size_[axis] = extent[static_cast<int>(axis)] / stride + 2 + 2 * kMargin;
   }
-  const openvdb::Coord origin = box.min() - openvdb::Coord(kMargin * stride);
-  origin_ = ToVector(origin);
+  const Eigen::Vector3i origin = table.active_low - Eigen::Vector3i::Constant(kMargin * stride);
+  origin_ = origin.cast<float>();
   limit_ = (1 - 1e-6F) * Eigen::Vector3f(static_cast<float>(size_[0] - 1),
                                          static_cast<float>(size_[1] - 1),
                                          static_cast<float>(size_[2] - 1));
@@ -41,26 +36,25 @@ CoarseField::CoarseField(const openvdb::FloatGrid& grid, int nodes) {
   inverse_stride_ = 1 / stride_;
   row_ = size_[0];
   slice_ = row_ * size_[1];
-  const auto band = static_cast<float>(grid.background() / grid.voxelSize().x());
+  const float band = table.background / table.voxel_size;
   // The lowest active voxel lies between the band's edge and one voxel above it.
-  ground_ = static_cast<float>(box.min().y()) + band - 0.5F;
-  Sample(grid, origin, band);
+  ground_ = static_cast<float>(table.active_low.y()) + band - 0.5F;
+  Sample(table, origin, band);
 }
 
-void CoarseField::Sample(const openvdb::FloatGrid& grid, const openvdb::Coord& origin, float band) {
+void CoarseField::Sample(const LeafTable& table, const Eigen::Vector3i& origin, float band) {
   const std::size_t count = Index(size_[0] - 1, size_[1] - 1, size_[2] - 1) + 1;
   distance_.resize(count);
   NearestSeeds seeds{std::vector<float>(count, kNoSeed), std::vector<float>(count, 0.F)};
   const float seed_limit = std::min(kSeedStrides * stride_, 0.99F * band);
-  const auto per_voxel = static_cast<float>(1 / grid.voxelSize().x());
+  const float per_voxel = 1 / table.voxel_size;
   const auto stride = static_cast<int>(stride_);
   tbb::parallel_for(tbb::blocked_range<int>(0, size_[2]), [&](const auto& slices) {
-    const auto accessor = grid.getConstAccessor();
     for (int z = slices.begin(); z < slices.end(); ++z) {
       for (int y = 0; y < size_[1]; ++y) {
         for (int x = 0; x < size_[0]; ++x) {
-          const openvdb::Coord node = origin + openvdb::Coord(x * stride, y * stride, z * stride);
-          const float distance = per_voxel * accessor.getValue(node);
+          const float distance =
+              per_voxel * table.ValueAt(origin + stride * Eigen::Vector3i(x, y, z));
           const std::size_t i = Index(x, y, z);
           distance_[i] = distance;
           if (distance > seed_limit) continue;

@@ -1,13 +1,13 @@
 #pragma once
 
-#include <openvdb/openvdb.h>
-
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
+
+#include "volume/render/leaf_table.h"
 
 /// @file
 /// A dense, coarse picture of a narrow band: how far is it to the surface from anywhere?
@@ -22,8 +22,8 @@ namespace lascaux {
 /// it stays at minus the band's width.
 class CoarseField {
  public:
-  /// About `nodes` nodes along the longest side. The grid has active voxels.
-  CoarseField(const openvdb::FloatGrid& grid, int nodes);
+  /// About `nodes` nodes along the longest side. The level set has active voxels.
+  CoarseField(const LeafTable& table, int nodes);
 
   /// At a place in index space, trilinear; outside the box a lower bound by Pythagoras.
   float At(const Eigen::Vector3f& p) const noexcept {
@@ -50,7 +50,7 @@ class CoarseField {
   std::vector<Eigen::Vector3f> SolidNodes() const;
 
  private:
-  void Sample(const openvdb::FloatGrid& grid, const openvdb::Coord& origin, float band);
+  void Sample(const LeafTable& table, const Eigen::Vector3i& origin, float band);
 
   std::size_t Index(int x, int y, int z) const noexcept {
     return static_cast<std::size_t>((z * size_[1] + y) * size_[0] + x);

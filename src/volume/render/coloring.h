@@ -1,36 +1,28 @@
 #pragma once
 
-#include <openvdb/openvdb.h>
+#include <Eigen/Core>
 
-#include <Eigen/Geometry>
-#include <array>
-#include <cstddef>
-#include <vector>
-
-#include "lascaux/volume/render.h"
 #include "volume/render/light.h"
 
 namespace lascaux {
 
+/// Linear albedo of fired clay.
+inline Color Clay() { return {0.545F, 0.290F, 0.180F}; }
+
 /// What the surface is made of, place by place. Places are in the surface's index space.
 class Coloring {
  public:
-  /// The model must outlive it.
-  Coloring(const ShownModel& model, Material material);
+  virtual ~Coloring() = default;
+  virtual Color AlbedoAt(const Eigen::Vector3f& place) const noexcept = 0;
+  /// The part that is there; -1 where none is known.
+  virtual float PartAt(const Eigen::Vector3f& place) const noexcept = 0;
+};
 
-  /// Between voxels of different colours, or parts, the mean by their nearness: borders are as soft
-  /// as the voxels are large.
-  Color AlbedoAt(const Eigen::Vector3f& place) const noexcept;
-
-  /// The part that has most of the place; -1 where no voxel says it.
-  float PartAt(const Eigen::Vector3f& place) const noexcept;
-
- private:
-  Material material_;
-  const openvdb::Vec3SGrid* color_;
-  const openvdb::FloatGrid* part_;
-  std::vector<Color> palette_;
-  Eigen::Affine3f to_color_, to_part_;  ///< index spaces
+/// Clay all over.
+class ClayColoring final : public Coloring {
+ public:
+  Color AlbedoAt(const Eigen::Vector3f&) const noexcept override { return Clay(); }
+  float PartAt(const Eigen::Vector3f&) const noexcept override { return -1; }
 };
 
 }  // namespace lascaux

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "volume/arena.h"
+#include "volume/render/draw_picture.h"
 #include "volume/render/painter.h"
 #include "volume/render/scene.h"
 
@@ -13,9 +14,8 @@ namespace lascaux {
 namespace {
 
 /// Nothing when the run was cancelled.
-std::optional<Picture> Paint(const ShownModel& model, const RenderOptions& options,
+std::optional<Picture> Paint(const Scene& scene, const RenderOptions& options,
                              const Execution& execution) {
-  const Scene scene(model, options);
   Painter painter(scene, options);
   if (execution.IsCancelled()) return std::nullopt;
   painter.PaintMiddles();
@@ -24,37 +24,23 @@ std::optional<Picture> Paint(const ShownModel& model, const RenderOptions& optio
   return painter.TakePicture();
 }
 
-/// What a model lacks to be shown.
-Diagnostics Lacking(const ShownModel& model, Material material) {
-  if (model.surface->activeVoxelCount() == 0) {
-    return {Error(FailureKind::kInput, "empty-grid",
-                  "the level set has no active voxel: there is nothing to show; build "
-                  "it with a higher --resolution")};
-  }
-  if (material == Material::kDrawing && !model.color) {
-    return {Error(FailureKind::kInput, "no-colors",
-                  "there is no grid 'Cd' with the drawing's colours; build the volume with "
-                  "--color, or show it in clay")};
-  }
-  if (material == Material::kParts && !model.part) {
-    return {Error(FailureKind::kInput, "no-parts",
-                  "there is no grid 'part' that says where each part is; build the volume with "
-                  "--color, or show it in clay")};
-  }
-  return {};
-}
-
 }  // namespace
 
-Outcome<Picture> Render(const ShownModel& model, const RenderOptions& options,
-                        const Execution& execution) {
+Outcome<Picture> DrawPicture(const LeafTable& surface, const Coloring& coloring,
+                             const RenderOptions& options, const Execution& execution) {
   assert(options.width > 0 && options.height > 0);
   using Result = Outcome<Picture>;
-  Diagnostics lacking = Lacking(model, options.material);
-  if (!lacking.empty()) return Result::Failure(std::move(lacking));
+  if (surface.empty()) {
+    return Result::Failure(Error(FailureKind::kInput, "empty-grid",
+                                 "the level set has no active voxel: there is nothing to show; "
+                                 "build it with a higher --resolution"));
+  }
   std::optional<Picture> picture;
   try {
-    RunInArena(execution, [&] { picture = Paint(model, options, execution); });
+    RunInArena(execution, [&] {
+      const Scene scene(surface, coloring, options);
+      picture = Paint(scene, options, execution);
+    });
   } catch (const std::bad_alloc&) {
     return Result::Failure(Error(FailureKind::kUsage, "out-of-memory",
                                  "the picture does not fit into memory; ask for a smaller one"));
@@ -64,6 +50,11 @@ Outcome<Picture> Render(const ShownModel& model, const RenderOptions& options,
         Error(FailureKind::kInterrupted, "cancelled", "interrupted while rendering"));
   }
   return *std::move(picture);
+}
+
+Outcome<Picture> Render(const NarrowBand& surface, const RenderOptions& options,
+                        const Execution& execution) {
+  return DrawPicture(LeafTable(surface), ClayColoring(), options, execution);
 }
 
 }  // namespace lascaux

@@ -9,10 +9,10 @@ constexpr int kCoarseNodes = 96;  // along the model's longest side
 
 }  // namespace
 
-Scene::Scene(const ShownModel& model, const RenderOptions& options)
-    : coarse_(*model.surface, kCoarseNodes),
-      surface_(*model.surface, coarse_),
-      coloring_(model, options.material),
+Scene::Scene(const LeafTable& surface, const Coloring& coloring, const RenderOptions& options)
+    : coarse_(surface, kCoarseNodes),
+      surface_(surface, coarse_),
+      coloring_(&coloring),
       camera_(options, coarse_.SolidNodes()),
       studio_(coarse_, camera_),
       shadow_(studio_, coarse_),
@@ -20,7 +20,7 @@ Scene::Scene(const ShownModel& model, const RenderOptions& options)
       backdrop_(options.backdrop),
       backdrop_color_(options.backdrop_color[0], options.backdrop_color[1],
                       options.backdrop_color[2]),
-      voxel_size_(static_cast<float>(model.surface->voxelSize().x())) {}
+      voxel_size_(surface.voxel_size) {}
 
 float Scene::FreeLength(float x, float y, float reach, float from) const noexcept {
   // The diagonal, and a little for rays that are not of length 1 before they are normalised.
@@ -37,7 +37,7 @@ std::optional<Sample> Scene::Trace(float x, float y, float from) const noexcept 
 
 Light Scene::ModelLight(const Sample& sample, const Lighting& lighting, float x, float y) const {
   const Facet facet{sample.normal, -camera_.Through(x, y).direction,
-                    coloring_.AlbedoAt(sample.place)};
+                    coloring_->AlbedoAt(sample.place)};
   const Color light = studio_.Shade(lighting, facet);
   return Opaque(ToneMapped(light));
 }

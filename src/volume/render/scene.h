@@ -1,11 +1,9 @@
 #pragma once
 
-#include <openvdb/openvdb.h>
-
 #include <Eigen/Core>
 #include <optional>
 
-#include "lascaux/volume/render.h"
+#include "lascaux/volume/render_options.h"
 #include "volume/render/camera.h"
 #include "volume/render/coarse_field.h"
 #include "volume/render/coloring.h"
@@ -24,8 +22,8 @@ struct Sample {
 /// in pixels.
 class Scene {
  public:
-  /// The model must outlive it.
-  Scene(const ShownModel& model, const RenderOptions& options);
+  /// What the table's leaves belong to and the coloring must outlive it.
+  Scene(const LeafTable& surface, const Coloring& coloring, const RenderOptions& options);
 
   /// How far the rays around (x, y) are free, up to `reach` pixels away in x and in y, given that
   /// they are up to `from`; infinite if none of them meets the model.
@@ -46,12 +44,12 @@ class Scene {
   float Depth(const Sample& sample) const noexcept;
 
   /// The part that is seen; -1 where none is known.
-  float Part(const Sample& sample) const noexcept { return coloring_.PartAt(sample.place); }
+  float Part(const Sample& sample) const noexcept { return coloring_->PartAt(sample.place); }
 
  private:
   CoarseField coarse_;
   Surface surface_;
-  Coloring coloring_;
+  const Coloring* coloring_;
   Camera camera_;
   Studio studio_;
   GroundShadow shadow_;

@@ -46,39 +46,29 @@ std::array<float, 2> Clip(const Ray& ray, const Eigen::Vector3f& low, const Eige
 
 }  // namespace
 
-Surface::Surface(const openvdb::FloatGrid& grid, const CoarseField& coarse)
+Surface::Surface(const LeafTable& table, const CoarseField& coarse)
     : coarse_(&coarse),
-      per_voxel_(static_cast<float>(1 / grid.voxelSize().x())),
-      band_(static_cast<float>(grid.background() / grid.voxelSize().x())),
+      per_voxel_(1 / table.voxel_size),
+      band_(table.background / table.voxel_size),
       low_(coarse.low()),
       high_(coarse.high()),
-      constant_(std::make_unique<std::array<Block, 2>>()) {
-  static_assert(openvdb::FloatTree::LeafNodeType::DIM == kLeafSize);
+      constant_(table.constant) {
+  static_assert(kBlockSide == kLeafSize);
   // A leaf to spare on every side: cells and stencils reach beyond the rays' box.
   const auto leaf_of = [](float x) { return static_cast<int>(std::floor(x / kLeafSize)); };
-  openvdb::Coord first;
-  for (unsigned axis = 0; axis < 3; ++axis) {
+  Eigen::Vector3i first;
+  for (int axis = 0; axis < 3; ++axis) {
     first[axis] = leaf_of(low_[axis]) - 1;
-    size_[axis] = leaf_of(high_[axis]) + 2 - first[axis];
-    origin_[axis] = static_cast<float>(first[axis] * kLeafSize);
+    size_[static_cast<std::size_t>(axis)] = leaf_of(high_[axis]) + 2 - first[axis];
   }
-  (*constant_)[0].fill(grid.background());
-  (*constant_)[1].fill(-grid.background());
+  origin_ = (kLeafSize * first).cast<float>();
   leaves_.resize(static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]) *
                  static_cast<std::size_t>(size_[2]));
   tbb::parallel_for(tbb::blocked_range<int>(0, size_[0]), [&](const auto& slices) {
-    const auto accessor = grid.getConstAccessor();
     for (int x = slices.begin(); x < slices.end(); ++x) {
       auto slot = leaves_.begin() + static_cast<std::ptrdiff_t>(x) * size_[1] * size_[2];
-      for (int y = 0; y < size_[1]; ++y) {
-        for (int z = 0; z < size_[2]; ++z, ++slot) {
-          const openvdb::Coord place((first.x() + x) * kLeafSize, (first.y() + y) * kLeafSize,
-                                     (first.z() + z) * kLeafSize);
-          const auto* leaf = accessor.probeConstLeaf(place);
-          *slot = leaf != nullptr ? leaf->buffer().data()
-                                  : (*constant_)[accessor.getValue(place) < 0 ? 1 : 0].data();
-        }
-      }
+      for (int y = 0; y < size_[1]; ++y)
+        for (int z = 0; z < size_[2]; ++z) *slot++ = table.At(first + Eigen::Vector3i(x, y, z));
     }
   });
 }

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <openvdb/openvdb.h>
-
 #include <Eigen/Core>
 #include <array>
 #include <memory>
@@ -28,8 +26,8 @@ struct Ray {
 /// 8 bytes for each 8 x 8 x 8 voxels of its box. May be shared between threads.
 class Surface {
  public:
-  /// Both must outlive it.
-  Surface(const openvdb::FloatGrid& grid, const CoarseField& coarse);
+  /// What the table's leaves belong to must outlive it, and so must the coarse field.
+  Surface(const LeafTable& table, const CoarseField& coarse);
 
   /// First place along the ray that is inside, as a distance from the origin, within 0.05 voxels.
   /// The part of the ray before `from` is known to be free.
@@ -73,8 +71,7 @@ class Surface {
   Eigen::Vector3f origin_;        ///< of the table, in index space
   std::array<int, 3> size_ = {};  ///< in leaves
   std::vector<const float*> leaves_;
-  using Block = std::array<float, kLeafSize * kStrideX>;
-  std::unique_ptr<std::array<Block, 2>> constant_;  ///< stand for what is no leaf: outside, inside
+  std::shared_ptr<const std::array<LeafTable::Leaf, 2>> constant_;  ///< some leaves are in there
 };
 
 }  // namespace lascaux

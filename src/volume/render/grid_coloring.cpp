@@ -1,14 +1,14 @@
-#include "volume/render/coloring.h"
+#include "volume/render/grid_coloring.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace lascaux {
 namespace {
 
-// Albedos, linear. Fired clay; paint that is white on the drawing's page is not whiter than
-// plaster.
-const Color kClay(0.545F, 0.290F, 0.180F);
+/// Linear albedo of paint that is white on the drawing's page: not whiter than plaster.
 constexpr float kPaint = 0.80F;
 
 /// From one grid's voxels to another's.
@@ -46,7 +46,7 @@ void ForVoxelsAround(const Grid& grid, const Eigen::Vector3f& place, Use&& use) 
 
 }  // namespace
 
-Coloring::Coloring(const ShownModel& model, Material material)
+GridColoring::GridColoring(const ShownModel& model, Material material)
     : material_(material), color_(model.color.get()), part_(model.part.get()) {
   if (color_ != nullptr) to_color_ = Between(*model.surface, *color_);
   if (part_ == nullptr) return;
@@ -54,7 +54,7 @@ Coloring::Coloring(const ShownModel& model, Material material)
   for (const auto& [r, g, b] : model.palette) palette_.emplace_back(r, g, b);
 }
 
-Color Coloring::AlbedoAt(const Eigen::Vector3f& place) const noexcept {
+Color GridColoring::AlbedoAt(const Eigen::Vector3f& place) const noexcept {
   Color sum(0, 0, 0);
   float total = 0;
   if (material_ == Material::kDrawing) {
@@ -65,15 +65,15 @@ Color Coloring::AlbedoAt(const Eigen::Vector3f& place) const noexcept {
   } else if (material_ == Material::kParts) {
     ForVoxelsAround(*part_, to_part_ * place, [&](float part, float weight) {
       const auto index = static_cast<std::size_t>(std::max(part, 0.F));
-      sum += weight * (part >= 0 && index < palette_.size() ? palette_[index] : kClay);
+      sum += weight * (part >= 0 && index < palette_.size() ? palette_[index] : Clay());
       total += weight;
     });
   }
   // Where nothing is said, clay.
-  return total > 0 ? Color(sum / total) : kClay;
+  return total > 0 ? Color(sum / total) : Clay();
 }
 
-float Coloring::PartAt(const Eigen::Vector3f& place) const noexcept {
+float GridColoring::PartAt(const Eigen::Vector3f& place) const noexcept {
   if (part_ == nullptr) return -1;
   struct Share {
     float part, weight;
