@@ -8,9 +8,9 @@
 
 #include "lascaux/base/execution.h"
 #include "lascaux/field/compiled_field.h"
+#include "lascaux/volume/voxel_floats.h"
 #include "volume/block_map.h"
 #include "volume/find_blocks.h"
-#include "volume/voxel_floats.h"
 
 /// @file
 /// The band before it becomes a grid: blocks of 8 x 8 x 8 distances, in voxels, with their

@@ -11,7 +11,7 @@
 #include "lascaux/volume/narrow_band.h"
 #include "volume/block_map.h"
 #include "volume/cell_table.h"
-#include "volume/voxel_floats.h"
+#include "lascaux/volume/voxel_floats.h"
 
 /// @file
 /// The cells between eight voxel centres that the surface runs through, block by block. A cell has

@@ -31,8 +31,8 @@ LASCAUX_INLINE bool IsAnyBelow(Lanes a, Lanes b) {
   return ((below[0] | below[1]) | (below[2] | below[3])) != 0;
 }
 
-/// Lines wait for no smaller changes, in voxels: what the scheme errs by is a hundred times that.
-constexpr float kSettled = 1e-3F;
+/// Lines wait for no smaller changes, in voxels: what the scheme errs by is ten times that.
+constexpr float kSettled = 1e-2F;
 
 /// Replaces a line's values, but those of the voxels in `given`, one bit each. Returns whether a
 /// value within the band changed.

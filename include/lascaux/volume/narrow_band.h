@@ -8,6 +8,7 @@
 #include "lascaux/base/execution.h"
 #include "lascaux/base/outcome.h"
 #include "lascaux/field/field.h"
+#include "lascaux/volume/voxel_floats.h"
 
 /// @file
 /// A field as a narrow-band level set in plain values: what OpenVDB's grid holds (level_set.h turns
@@ -46,7 +47,7 @@ struct NarrowBand {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< place of the centre of voxel (0, 0, 0)
   float background = kBandVoxels;
   std::vector<Eigen::Vector3i> blocks;  ///< lowest voxel of each, multiples of 8, all different
-  std::vector<float> values;      ///< kBlockVoxels a block, voxel (x, y, z) of it at 64 x + 8 y + z
+  VoxelFloats values;             ///< kBlockVoxels a block, voxel (x, y, z) of it at 64 x + 8 y + z
   std::vector<VoxelMask> active;  ///< voxels of the band, for each block
   std::vector<Cube> inside;       ///< sides and origins are multiples of 8
 
