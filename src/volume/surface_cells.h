@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "lascaux/volume/narrow_band.h"
+#include "lascaux/volume/voxel_floats.h"
 #include "volume/block_map.h"
 #include "volume/cell_table.h"
-#include "lascaux/volume/voxel_floats.h"
 
 /// @file
 /// The cells between eight voxel centres that the surface runs through, block by block. A cell has
