@@ -32,8 +32,9 @@ using Json = nlohmann::ordered_json;
 /// The binary chunk and the views and accessors that say what is in it.
 class Buffer {
  public:
-  template <typename T>
-  int Add(const std::vector<T>& values, int target, Json accessor, std::size_t stride = 0) {
+  template <typename T, typename Allocator>
+  int Add(const std::vector<T, Allocator>& values, int target, Json accessor,
+          std::size_t stride = 0) {
     Json view = {{"buffer", 0}, {"byteOffset", bytes_.size()}};
     view["byteLength"] = values.size() * sizeof(T);
     if (stride > 0) view["byteStride"] = stride;

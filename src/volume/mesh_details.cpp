@@ -25,9 +25,8 @@ float LinearFromSrgb(std::uint8_t value) noexcept {
   return static_cast<float>(DecodeSrgb(value / 255.0));
 }
 
-std::vector<std::uint16_t> PartsOfTriangles(
-    const std::vector<std::array<std::uint32_t, 3>>& triangles,
-    const std::vector<std::uint16_t>& vertex_parts) {
+std::vector<std::uint16_t> PartsOfTriangles(std::span<const std::array<std::uint32_t, 3>> triangles,
+                                            const std::vector<std::uint16_t>& vertex_parts) {
   std::vector<std::uint16_t> result(triangles.size());
   tbb::parallel_for(std::size_t{0}, triangles.size(), [&](std::size_t t) {
     const auto& [a, b, c] = triangles[t];

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "lascaux/base/unset_allocator.h"
 #include "lascaux/volume/narrow_band.h"
 #include "lascaux/volume/voxel_floats.h"
 #include "volume/block_map.h"

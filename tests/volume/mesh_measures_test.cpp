@@ -139,7 +139,7 @@ TEST(PartColor, TellsManyPartsApart) {
 }
 
 TEST(PartsOfTriangles, AreThoseOfTwoCorners) {
-  EXPECT_EQ(PartsOfTriangles({{0, 1, 2}, {0, 1, 3}, {3, 1, 0}, {0, 2, 3}}, {7, 8, 8, 9}),
+  EXPECT_EQ(PartsOfTriangles(Triangles{{0, 1, 2}, {0, 1, 3}, {3, 1, 0}, {0, 2, 3}}, {7, 8, 8, 9}),
             (std::vector<std::uint16_t>{8, 7, 9, 7}));
 }
 

@@ -19,7 +19,7 @@ Mesh Sphere(int levels, float radius) {
       if (is_new) mesh.vertices.push_back((mesh.vertices[a] + mesh.vertices[b]).normalized());
       return at->second;
     };
-    std::vector<std::array<std::uint32_t, 3>> finer;
+    Triangles finer;
     for (const auto& [a, b, c] : mesh.triangles) {
       const std::uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
       finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});

@@ -5,15 +5,21 @@
 #include <cstdint>
 #include <vector>
 
+#include "lascaux/base/unset_allocator.h"
+
 /// @file
 /// A triangle mesh, as plain values.
 
 namespace lascaux {
 
+/// Corners of triangles; unset by resize().
+using Triangles =
+    std::vector<std::array<std::uint32_t, 3>, UnsetAllocator<std::array<std::uint32_t, 3>>>;
+
 /// Triangles, counter-clockwise seen from outside. Model frame, millimetres.
 struct Mesh {
   std::vector<Eigen::Vector3f> vertices;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  Triangles triangles;
 
   bool operator==(const Mesh&) const = default;
 };

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -47,9 +48,8 @@ struct MeshDetails {
 };
 
 /// The part of each triangle: that of two of its corners at least, else the first corner's.
-std::vector<std::uint16_t> PartsOfTriangles(
-    const std::vector<std::array<std::uint32_t, 3>>& triangles,
-    const std::vector<std::uint16_t>& vertex_parts);
+std::vector<std::uint16_t> PartsOfTriangles(std::span<const std::array<std::uint32_t, 3>> triangles,
+                                            const std::vector<std::uint16_t>& vertex_parts);
 
 /// Colours that tell parts apart: the first is clay (the body's), each next one turns the hue by
 /// the golden angle, so that any number of them stays as far apart as can be.

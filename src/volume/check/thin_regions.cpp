@@ -121,9 +121,9 @@ class Regions {
   }
 
   std::uint32_t PieceBehind(const TriangleGrid& grid, std::uint32_t triangle) const {
-    const Triangle& t = grid.triangles()[triangle];
     const std::atomic<double> anywhere = kInfinity;
-    const Hit hit = grid.Shoot(triangle, t.a + (t.ab + t.ac) / 3, -grid.normal(triangle), anywhere);
+    const Hit hit =
+        grid.Shoot(triangle, grid.triangle(triangle).Middle(), -grid.normal(triangle), anywhere);
     return hit.distance < kInfinity ? piece_[mesh_.triangles[hit.triangle][0]] : kNone;
   }
 

@@ -22,6 +22,15 @@ namespace lascaux {
 
 struct Triangle {
   Eigen::Vector3d a, ab, ac;
+
+  Triangle(const Mesh& mesh, std::size_t i) {
+    const auto& t = mesh.triangles[i];
+    a = mesh.vertices[t[0]].cast<double>();
+    ab = mesh.vertices[t[1]].cast<double>() - a;
+    ac = mesh.vertices[t[2]].cast<double>() - a;
+  }
+
+  Eigen::Vector3d Middle() const { return a + (ab + ac) / 3; }
 };
 
 /// Where a ray ends.
@@ -41,22 +50,24 @@ class TriangleGrid {
   static constexpr double kTrianglesACell = 6;
 
  public:
-  explicit TriangleGrid(const Mesh& mesh) {
+  /// The mesh must outlive the grid.
+  explicit TriangleGrid(const Mesh& mesh) : mesh_(mesh) {
     for (const Eigen::Vector3f& v : mesh.vertices) box_.extend(v.cast<double>());
-    triangles_.resize(mesh.triangles.size());
-    normals_.resize(triangles_.size());
-    tbb::parallel_for(std::size_t{0}, triangles_.size(),
-                      [&](std::size_t i) { SetTriangle(mesh, i); });
-    const double cells = std::sqrt(static_cast<double>(triangles_.size()) / (2 * kTrianglesACell));
+    normals_.resize(mesh.triangles.size());
+    tbb::parallel_for(std::size_t{0}, normals_.size(), [&](std::size_t i) {
+      const Triangle t(mesh_, i);
+      normals_[i] = t.ab.cross(t.ac).stableNormalized();
+    });
+    const double cells = std::sqrt(static_cast<double>(normals_.size()) / (2 * kTrianglesACell));
     cell_ = std::max(box_.sizes().maxCoeff() / std::clamp(cells, 1.0, double{kMostCells}), 1e-30);
     // Large triangles lie in many cells: larger cells until there are few entries for each.
-    while (CountEntries() > 12 * triangles_.size() + 4096 ||
-           count_.cast<double>().prod() > kLargest)
+    while (CountEntries() > 12 * normals_.size() + 4096 || count_.cast<double>().prod() > kLargest)
       cell_ *= 2;
     Fill();
   }
 
-  const std::vector<Triangle>& triangles() const { return triangles_; }
+  std::size_t size() const { return normals_.size(); }
+  Triangle triangle(std::size_t i) const { return {mesh_, i}; }
   /// Of length 1; 0 for a triangle without area.
   const Eigen::Vector3d& normal(std::size_t triangle) const { return normals_[triangle]; }
 
@@ -80,7 +91,7 @@ class TriangleGrid {
       for (std::size_t i = first_[c]; i < first_[c + 1]; ++i) {
         // Most of what is near is on the side that the ray comes from.
         if (!(normals_[entries_[i]].dot(direction) > -kFacing) || entries_[i] == self) continue;
-        const double distance = DistanceTo(triangles_[entries_[i]], start, direction);
+        const double distance = DistanceTo({mesh_, entries_[i]}, start, direction);
         if (distance < nearest.distance) nearest = {distance, entries_[i]};
       }
       Eigen::Index axis = 0;
@@ -93,15 +104,6 @@ class TriangleGrid {
   }
 
  private:
-  void SetTriangle(const Mesh& mesh, std::size_t i) {
-    const auto& t = mesh.triangles[i];
-    Triangle& triangle = triangles_[i];
-    triangle.a = mesh.vertices[t[0]].cast<double>();
-    triangle.ab = mesh.vertices[t[1]].cast<double>() - triangle.a;
-    triangle.ac = mesh.vertices[t[2]].cast<double>() - triangle.a;
-    normals_[i] = triangle.ab.cross(triangle.ac).stableNormalized();
-  }
-
   Eigen::Array3i CellOf(const Eigen::Vector3d& p) const {
     return ((p - box_.min()).array() / cell_).cast<int>().max(0).min(count_ - 1);
   }
@@ -122,10 +124,10 @@ class TriangleGrid {
 
   std::size_t CountEntries() {
     count_ = (box_.sizes().array() / cell_).floor().cast<int>() + 1;
-    spans_.resize(triangles_.size());
+    spans_.resize(normals_.size());
     const auto add = [&](const tbb::blocked_range<std::size_t>& range, std::size_t entries) {
       for (std::size_t i = range.begin(); i < range.end(); ++i) {
-        const Triangle& t = triangles_[i];
+        const Triangle t(mesh_, i);
         const Eigen::Vector3d b = t.a + t.ab, c = t.a + t.ac;
         const Eigen::Array3i low = CellOf(t.a.cwiseMin(b).cwiseMin(c));
         const Eigen::Array3i high = CellOf(t.a.cwiseMax(b).cwiseMax(c));
@@ -137,19 +139,19 @@ class TriangleGrid {
       }
       return entries;
     };
-    return tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, triangles_.size(), kGrain),
+    return tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, normals_.size(), kGrain),
                                 std::size_t{0}, add, std::plus<>());
   }
 
   /// A counting sort, so that the order depends on the mesh alone.
   void Fill() {
     first_.assign(static_cast<std::size_t>(count_.cast<double>().prod()) + 1, 0);
-    for (std::size_t i = 0; i < triangles_.size(); ++i)
+    for (std::size_t i = 0; i < normals_.size(); ++i)
       ForCells(i, [&](std::size_t cell) { ++first_[cell + 1]; });
     for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
     entries_.resize(first_.back());
     std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (std::uint32_t i = 0; i < triangles_.size(); ++i)
+    for (std::uint32_t i = 0; i < normals_.size(); ++i)
       ForCells(i, [&](std::size_t cell) { entries_[next[cell]++] = i; });
     spans_ = {};
   }
@@ -178,7 +180,7 @@ class TriangleGrid {
   };
   static constexpr std::size_t kGrain = 4096;
 
-  std::vector<Triangle> triangles_;
+  const Mesh& mesh_;
   std::vector<Eigen::Vector3d> normals_;
   std::vector<Span> spans_;  // while the cells are filled
   std::vector<std::uint32_t> first_, entries_;

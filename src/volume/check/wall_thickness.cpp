@@ -37,8 +37,7 @@ Wall WallAt(const TriangleGrid& grid, std::size_t i, const std::atomic<double>& 
   wall.thickness = kInfinity;
   wall.triangle = static_cast<std::uint32_t>(i);
   if (normal.isZero()) return wall;
-  const Triangle& t = grid.triangles()[i];
-  const Vector3d middle = t.a + (t.ab + t.ac) / 3;
+  const Vector3d middle = grid.triangle(i).Middle();
   wall.thickness = grid.Shoot(i, middle, -normal, limit).distance;
   if (wall.thickness < kInfinity) wall.middle = middle - wall.thickness / 2 * normal;
   return wall;
@@ -60,7 +59,7 @@ FoundWalls LookFor(const TriangleGrid& grid, double limit, double farthest,
                    const Execution& execution) {
   std::atomic<double> reach = farthest;
   tbb::combinable<FoundWalls> parts;
-  tbb::parallel_for(std::size_t{0}, grid.triangles().size(), [&](std::size_t i) {
+  tbb::parallel_for(std::size_t{0}, grid.size(), [&](std::size_t i) {
     if (execution.IsCancelled()) return;
     const Wall wall = WallAt(grid, i, reach);
     if (!(wall.thickness < farthest)) return;
