@@ -25,7 +25,11 @@ struct SplineWeights {
   }
 };
 
-inline int Floor(double x) { return static_cast<int>(std::floor(x)); }
+/// Without the call that floor() is on machines of the baseline.
+inline int Floor(double x) {
+  const int whole = static_cast<int>(x);
+  return x < whole ? whole - 1 : whole;
+}
 
 /// Values of `N` splines over the same cells, and their derivatives, by cells.
 template <int N>

@@ -13,7 +13,7 @@ using internal::KernelBalls;
 using internal::KernelBounds;
 
 struct Range {
-  double lower = 0, upper = 0;
+  double lower, upper;
 };
 
 Range Ricci(const Range& a, const Range& b, const internal::RicciExponent& n) {
@@ -32,8 +32,8 @@ constexpr float kAnything = 1e4f;
 struct Reached {
   std::uint32_t part = 0;
   std::size_t begin = 0, end = 0;
-  Range own;
-  Range branch;  ///< blended with its parent
+  Range own{};
+  Range branch{};  ///< blended with its parent
   int parent = -1;
   bool matters = true;
 };
@@ -69,12 +69,16 @@ Ball FlattenBall(const CompiledPart& part, const Ball& ball) {
   return {{place.x(), place.y(), part.z0 + off * steepness}, by_extent};
 }
 
+/// As many parts as reach one ball, mostly.
+constexpr std::size_t kUsualParts = 8;
+
 /// Goes through a list of primitives, bounds each on the ball and adds up.
 class BallPass {
  public:
   BallPass(const CompiledField::Data& data, const Ball& ball, std::vector<std::uint32_t> kept)
       : data_(data), ball_(ball), kept_(std::move(kept)) {
     kept_.clear();
+    reached_.reserve(kUsualParts);
   }
 
   BallBounds Run(const ActiveSet& in) {
@@ -114,7 +118,7 @@ class BallPass {
   int tile_count_ = 0;
 
   std::uint32_t chain_ = ~0u;
-  Range chain_range_;
+  Range chain_range_{};
 };
 
 /// The flat space stretches the ball along z, and a depth map shifts it by an amount that differs
@@ -185,12 +189,9 @@ void BallPass::Flush() {
   for (int k = 0; k < tile_count_; ++k) {
     const auto i = static_cast<std::size_t>(k);
     const CompiledPrimitive& primitive = data_.primitives[tile_ids_[i]];
-    Range range = tile_ranges_[i];
-    if (primitive.tip) {
-      range = {0, kAnything};
-    } else if (!primitive.is_point()) {
-      range = {bounds.lower[k], bounds.upper[k]};
-    }
+    Range range{bounds.lower[k], bounds.upper[k]};
+    if (primitive.is_point()) range = tile_ranges_[i];
+    if (primitive.tip) range = {0, kAnything};
     if (range.upper > 0) Take(tile_ids_[i], range);
   }
   tile_count_ = 0;
@@ -229,7 +230,7 @@ void BallPass::EndPart() {
 }
 
 BallBounds BallPass::Finish() {
-  Range all;
+  Range all{};
   for (std::size_t i = 0; i < reached_.size(); ++i) {
     Reached& here = reached_[i];
     here.branch = here.own;

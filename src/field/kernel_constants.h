@@ -37,6 +37,9 @@ inline constexpr float kLeastPsiFloat = 0.25f;
 inline constexpr float kTypicalOffset = 0.1f;
 inline constexpr float kLeastTouch = 1.05f;
 
+/// How far a kernel reaches, in radii, and a little for rounding.
+inline constexpr float kSupport = 2.001f;
+
 /// The dominating quadratic is used while its curvature is at least this share of its terms.
 inline constexpr float kLeastShape = 0.02f;
 
