@@ -76,28 +76,29 @@ class Found {
   std::vector<std::vector<T>> of_task_;
 };
 
+std::size_t Tasks(std::size_t count) { return (count + kGrain - 1) / kGrain; }
+
 /// Calls work(task, begin, end) for ranges of 0 .. count - 1.
 template <typename Work>
 void ForRanges(std::size_t count, Work&& work) {
-  tbb::parallel_for(std::size_t{0}, (count + kGrain - 1) / kGrain, [&](std::size_t task) {
+  tbb::parallel_for(std::size_t{0}, Tasks(count), [&](std::size_t task) {
     work(task, task * kGrain, std::min(count, (task + 1) * kGrain));
   });
 }
-
-std::size_t Tasks(std::size_t count) { return (count + kGrain - 1) / kGrain; }
 
 /// A set of cells or blocks; what shares a bit with another only costs time.
 class Marks {
  public:
   /// For about so many.
   explicit Marks(std::size_t count)
-      : shift_(64 - std::max(kLeastBits, static_cast<int>(std::bit_width(kBitsAMark * count)))),
+      : shift_(64 - std::clamp(static_cast<int>(std::bit_width(kBitsAMark * count)), kLeastBits,
+                               kMostBits)),
         bits_(std::size_t{1} << (64 - shift_ - 6), 0) {}
   void Set(std::uint64_t key) { bits_[Bit(key) / 64] |= std::uint64_t{1} << Bit(key) % 64; }
   bool Has(std::uint64_t key) const { return (bits_[Bit(key) / 64] >> Bit(key) % 64 & 1) != 0; }
 
  private:
-  static constexpr int kLeastBits = 12;
+  static constexpr int kLeastBits = 12, kMostBits = 28;
   static constexpr std::size_t kBitsAMark = 32;
   std::size_t Bit(std::uint64_t key) const {
     return static_cast<std::size_t>(key * 0x9E3779B97F4A7C15u >> shift_);  // Fibonacci hashing

@@ -34,8 +34,8 @@ inline std::size_t CountBits(std::uint64_t word) {
 template <typename T>
 using OfBlocks = std::vector<T, UnsetAllocator<T>>;
 
-/// Crossed cells of a band, numbered block by block. Their pieces have vertices and the edges that
-/// they cross have quadrilaterals, both in the same order.
+/// Crossed cells of a band, numbered block by block. Vertices of their pieces are in the same
+/// order; quadrilaterals, one for each edge that is crossed, are in the blocks' order, too.
 struct SurfaceCells {
   OfBlocks<BlocksAbove> above;                       ///< of each block, with itself
   OfBlocks<VoxelMask> inside;                        ///< voxels, of each block
