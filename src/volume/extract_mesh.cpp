@@ -59,6 +59,7 @@ class Extraction {
     mesh_.vertices.resize(vertices);
     mesh_.triangles.resize(2 * quads);
     in_cell_.resize(vertices);
+    if (target_.field != nullptr) mesh_.outward.resize(vertices);
     tbb::parallel_for(std::size_t{0}, band_.size(), [this](std::size_t b) {
       if (cells_.IsEmpty(b)) return;
       PlaceVertices(b);
@@ -93,7 +94,7 @@ class Extraction {
 
   /// Moves vertices that are alone in their cells onto the field's surface, within their cells.
   void RefineVertices(std::size_t block) {
-    BlockPlaces places;
+    std::vector<Vector3f> places;
     std::vector<std::uint32_t> which;
     std::vector<Eigen::Vector3i> cells;
     const bool is_single = cells_.HasSinglePieces(block);
@@ -101,14 +102,18 @@ class Extraction {
     cells_.ForCells(block, [&](std::size_t cell, std::size_t number) {
       const std::uint32_t pieces = is_single ? 1 : cells_.Pieces(number).count, first = vertex;
       vertex += pieces;
-      if (pieces != 1 || !target_.Holds(block, cell)) return;
+      if (pieces != 1 || !target_.Holds(block, cell)) {
+        std::fill_n(mesh_.outward.begin() + first, pieces, Vector3f::Zero());
+        return;
+      }
       which.push_back(first);
       cells.push_back(InBlock(cell));
       places.push_back(cells.back().cast<float>() + in_cell_[first]);
     });
-    MoveOntoSurface(*target_.field, band_, block, places);
+    const BlockPoints points = MoveOntoSurface(*target_.field, band_, block, std::move(places));
     for (std::size_t i = 0; i < which.size(); ++i) {
-      const Vector3f in_cell = places[i] - cells[i].cast<float>();
+      mesh_.outward[which[i]] = points.outward[i];
+      const Vector3f in_cell = points.places[i] - cells[i].cast<float>();
       if (in_cell.minCoeff() < kLeastInCell || in_cell.maxCoeff() > 1 - kLeastInCell) continue;
       SetVertex(which[i], block, cells[i], in_cell);
     }

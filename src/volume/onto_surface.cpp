@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <utility>
 
 namespace lascaux {
 namespace {
@@ -10,10 +11,11 @@ constexpr float kFarthest = 0.25F;  // voxels
 
 }  // namespace
 
-void MoveOntoSurface(const CompiledField& field, const NarrowBand& band, std::size_t block,
-                     BlockPlaces& places) {
+BlockPoints MoveOntoSurface(const CompiledField& field, const NarrowBand& band, std::size_t block,
+                            std::vector<Eigen::Vector3f> places) {
   const std::size_t count = places.size();
-  if (count == 0) return;
+  std::vector<Eigen::Vector3f> outward(count, Eigen::Vector3f::Zero());
+  if (count == 0) return {};
   // The cells reach from the block's lowest voxel to the one behind its highest.
   constexpr float kHalf = 0.5F * kBlockSide;
   const auto h = static_cast<float>(band.voxel_size);
@@ -38,8 +40,10 @@ void MoveOntoSurface(const CompiledField& field, const NarrowBand& band, std::si
     // F falls outward, so the gradient points to the inside.
     const Eigen::Vector3f inward(samples.gradient_x[i], samples.gradient_y[i],
                                  samples.gradient_z[i]);
-    places[i] += distance[i] / h * inward.normalized();
+    outward[i] = -inward.normalized();
+    places[i] -= distance[i] / h * outward[i];
   }
+  return {std::move(places), std::move(outward)};
 }
 
 }  // namespace lascaux

@@ -8,12 +8,16 @@
 
 namespace lascaux {
 
-/// Places within a block's cells, in voxels from the block's lowest voxel.
-using BlockPlaces = std::vector<Eigen::Vector3f>;
+/// Points of a surface within a block's cells.
+struct BlockPoints {
+  std::vector<Eigen::Vector3f> places;   ///< in voxels from the block's lowest voxel
+  std::vector<Eigen::Vector3f> outward;  ///< against the field's gradient; (0, 0, 0): not known
+};
 
-/// One step of Newton's method from each place towards F = 1, along the gradient. What is farther
-/// away than the surface nets' mean ever is belongs to another piece of the surface and stays.
-void MoveOntoSurface(const CompiledField& field, const NarrowBand& band, std::size_t block,
-                     BlockPlaces& places);
+/// The points after one step of Newton's method from each place towards F = 1, along the gradient.
+/// What is farther away than the surface nets' mean ever is belongs to another piece of the surface
+/// and stays, without a direction.
+BlockPoints MoveOntoSurface(const CompiledField& field, const NarrowBand& band, std::size_t block,
+                            std::vector<Eigen::Vector3f> places);
 
 }  // namespace lascaux

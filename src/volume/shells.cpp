@@ -62,9 +62,11 @@ void Keep(Mesh& mesh, const Shells& found, std::uint32_t kept) {
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     if (found.of[v] != kept) continue;
     mesh.vertices[count] = mesh.vertices[v];
+    if (!mesh.outward.empty()) mesh.outward[count] = mesh.outward[v];
     renumbered[v] = count++;
   }
   mesh.vertices.resize(count);
+  if (!mesh.outward.empty()) mesh.outward.resize(count);
   std::erase_if(mesh.triangles, [&](const auto& t) { return renumbered[t[0]] == kRemoved; });
   for (auto& t : mesh.triangles) {
     for (std::uint32_t& v : t) v = renumbered[v];

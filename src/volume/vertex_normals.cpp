@@ -15,7 +15,6 @@
 #include "volume/point_cells.h"
 
 namespace lascaux {
-
 namespace {
 
 using Eigen::Vector3d;
@@ -29,6 +28,23 @@ template <typename T>
 Eigen::Vector3<T> CrossOf(const Mesh& mesh, const Triangle& t) {
   const Eigen::Vector3<T> origin = mesh.vertices[t[0]].cast<T>();
   return (mesh.vertices[t[1]].cast<T>() - origin).cross(mesh.vertices[t[2]].cast<T>() - origin);
+}
+
+/// Directions against the gradient at the vertices.
+std::vector<Vector3f> OutwardOf(const Mesh& mesh, const Field& field, const Vector3d& offset) {
+  std::vector<Vector3f> outward(mesh.vertices.size());
+  const CompiledField compiled(field);
+  const PointCells cells(mesh.vertices);
+  tbb::parallel_for(std::size_t{0}, cells.count(), [&](std::size_t cell) {
+    const std::span<const std::uint32_t> which = cells.Points(cell);
+    const CellBlock block(mesh.vertices, which, offset);
+    const ActiveSet active = compiled.BoundOnBall(block.ball, compiled.All()).active;
+    std::vector<float> value(which.size()), x(which.size()), y(which.size()), z(which.size());
+    compiled.EvaluateSamples(block.Points(), active, {value, x, y, z});
+    for (std::size_t i = 0; i < which.size(); ++i)
+      outward[which[i]] = -Vector3f(x[i], y[i], z[i]).stableNormalized();
+  });
+  return outward;
 }
 
 /// Turns what is more than 60 degrees from the faces' mean to that mean.
@@ -86,23 +102,9 @@ std::vector<Vector3f> VertexNormals(const Mesh& mesh) {
 
 std::vector<Vector3f> FieldNormals(const Mesh& mesh, const Field& field, const Vector3d& offset,
                                    const Execution& execution) {
-  std::vector<Vector3f> normals(mesh.vertices.size(), Vector3f::Zero());
-  const CompiledField compiled(field);
-  const auto smooth = [&](std::span<const std::uint32_t> which) {
-    const CellBlock block(mesh.vertices, which, offset);
-    const ActiveSet active = compiled.BoundOnBall(block.ball, compiled.All()).active;
-    std::vector<float> value(which.size()), x(which.size()), y(which.size()), z(which.size());
-    compiled.EvaluateSamples(block.Points(), active, {value, x, y, z});
-    for (std::size_t i = 0; i < which.size(); ++i) {
-      const Vector3f outward = -Vector3f(x[i], y[i], z[i]);
-      const float length = outward.norm();
-      if (length > 0) normals[which[i]] = outward / length;
-    }
-  };
+  std::vector<Vector3f> normals = mesh.outward;
   RunInArena(execution, [&] {
-    const PointCells cells(mesh.vertices);
-    tbb::parallel_for(std::size_t{0}, cells.count(),
-                      [&](std::size_t cell) { smooth(cells.Points(cell)); });
+    if (normals.empty()) normals = OutwardOf(mesh, field, offset);
     TurnToFaces(mesh, normals);
   });
   return normals;

@@ -1,20 +1,25 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <set>
+#include <vector>
 
+#include "lascaux/volume/extract_mesh.h"
 #include "lascaux/volume/mesh_details.h"
 #include "lascaux/volume/part_of_points.h"
 #include "lascaux/volume/stability.h"
 #include "lascaux/volume/vertex_normals.h"
 #include "lascaux/volume/wall_thickness.h"
 #include "support/cases.h"
+#include "volume/fields.h"
 #include "volume/shapes.h"
 
 namespace lascaux {
 namespace {
 
 using Eigen::Vector3d;
+using testing::AnimalField;
 using testing::ForSeeds;
 using testing::InsideOut;
 using testing::Moved;
@@ -129,6 +134,25 @@ TEST(FieldNormals, OfABallAreRadial) {
     EXPECT_NEAR(normals[i].norm(), 1, 1e-6);
     EXPECT_GT(normals[i].dot(mesh.vertices[i].normalized()), 0.9999);
   }
+}
+
+TEST(FieldNormals, AreThoseThatTheMeshKnows) {
+  const Field field = AnimalField();
+  const auto band = RasteriseBand(field, {0.03});
+  ASSERT_TRUE(band.ok());
+  Mesh mesh = *ExtractMesh(*band, field);
+  ASSERT_EQ(mesh.outward.size(), mesh.vertices.size());
+  const auto known = FieldNormals(mesh, field, Vector3d::Zero());
+  mesh.outward.clear();
+  const auto evaluated = FieldNormals(mesh, field, Vector3d::Zero());
+  std::vector<float> cosines;
+  for (std::size_t v = 0; v < known.size(); ++v) {
+    EXPECT_NEAR(known[v].norm(), 1, 1e-5);
+    cosines.push_back(known[v].dot(evaluated[v]));
+  }
+  std::sort(cosines.begin(), cosines.end());
+  // One in a hundred is by more than 2 degrees different: in creases, and where pieces meet.
+  EXPECT_GT(cosines[cosines.size() / 100], 0.9994);
 }
 
 TEST(PartColor, TellsManyPartsApart) {

@@ -35,7 +35,7 @@ Outcome<Mesh> ExtractMesh(const NarrowBand& band, const Execution& execution = {
 /// The same, with the vertices on the surface of the field that the band was made of: the mean of
 /// crossings lies beside a curved surface. The distances of 99 % of the vertices from F = 1 are
 /// below 0.02 voxel where radii are 8 voxels and more. Vertices stay in their cells, and those that
-/// share a cell where they were. About 60 ns a vertex more.
+/// share a cell where they were; the others know their directions. About 60 ns a vertex more.
 Outcome<Mesh> ExtractMesh(const NarrowBand& band, const Field& field,
                           const Execution& execution = {});
 

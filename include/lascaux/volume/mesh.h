@@ -20,6 +20,9 @@ using Triangles =
 struct Mesh {
   std::vector<Eigen::Vector3f> vertices;
   Triangles triangles;
+  /// Of the vertices, if it is known: against the gradient of the surface's field, of length 1;
+  /// (0, 0, 0) where that is not known. Empty, or as many as vertices.
+  std::vector<Eigen::Vector3f> outward = {};
 
   bool operator==(const Mesh&) const = default;
 };

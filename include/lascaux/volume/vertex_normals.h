@@ -19,8 +19,9 @@ std::vector<Eigen::Vector3f> VertexNormals(const Mesh& mesh);
 /// Directions against the field's gradient, of length 1: smoother than the mesh, whose faces follow
 /// the voxels.
 ///
-/// `offset` is added to the vertices first. Where the gradient is more than 60 degrees from the
-/// faces' mean (in creases), that mean is taken. About 0.2 us a vertex.
+/// The mesh's own, where it knows them; else those of the field at the vertices, `offset` added.
+/// Where the gradient is more than 60 degrees from the faces' mean (in creases) or not known, that
+/// mean is taken. About 0.2 us a vertex where they have to be found, 0.02 us else.
 std::vector<Eigen::Vector3f> FieldNormals(const Mesh& mesh, const Field& field,
                                           const Eigen::Vector3d& offset,
                                           const Execution& execution = {});
