@@ -79,6 +79,11 @@ std::vector<std::uint16_t> PartOfPoints(const Field& field, std::span<const Eige
   const auto decide = [&](std::span<const std::uint32_t> which) {
     const CellBlock block(points, which, offset);
     const std::vector<Candidate> candidates = FindCandidates(parts, say, block.ball);
+    if (candidates.size() == 1 && candidates[0].found.bounds.lower > 0) {
+      for (const std::uint32_t i : which)
+        result[i] = static_cast<std::uint16_t>(candidates[0].part);
+      return;
+    }
     std::vector<float> best(which.size(), 0.0F), values(which.size());
     for (const Candidate& candidate : candidates) {
       parts[candidate.part].EvaluateValues(block.Points(), candidate.found.active, values);
