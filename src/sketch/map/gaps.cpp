@@ -217,7 +217,10 @@ Outcome<PlanarMap> CloseGaps(PlanarMap map, std::vector<ArrangementLine> lines,
       return Result::Failure(std::move(log));
   }
   const double least = kLeastBodyShare * BoxArea(work.map);
-  while (LargestFace(work.map) < least) {
+  // A slit that encloses nothing more would be found again.
+  for (double largest = -1; LargestFace(work.map) < least;) {
+    if (LargestFace(work.map) <= largest) break;
+    largest = LargestFace(work.map);
     const auto slit = FindSlit(work.map);
     if (!slit) break;
     log.push_back(
