@@ -79,7 +79,7 @@ CellVertices::CellVertices(const NarrowBand& band, const BlocksAbove& above)
 
 std::array<CellVertices::Four, 3> CellVertices::CrossingsOf(std::size_t cell) const {
   const auto step = [cell](std::size_t stride) -> std::size_t {
-    return cell / stride % 8 == 7 ? -7 * stride : stride;
+    return cell / stride % 8 == 7 ? std::size_t{0} - 7 * stride : stride;
   };
   const std::size_t x = step(64), y = step(8), z = step(1);
   const std::size_t beyond_x = x == 64 ? 0 : 1, beyond_y = y == 8 ? 0 : 2,
