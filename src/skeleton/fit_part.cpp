@@ -167,7 +167,7 @@ Linearised Linearise(const Model& model, std::span<const Target> targets, const 
                        [&] { rest = LineariseSome(model, targets.subspan(half), trial); });
   at.cost += rest.cost;
   at.worst = std::max(at.worst, rest.worst);
-  at.sums.matrix += rest.sums.matrix;
+  at.sums.matrix() += rest.sums.matrix();
   at.sums.slope += rest.sums.slope;
   return at;
 }
@@ -176,13 +176,14 @@ Linearised Linearise(const Model& model, std::span<const Target> targets, const 
 /// banded.
 VectorXd Solve(const Linearised& at, double damping, double hold, const VectorXd& x) {
   const Eigen::Index n = x.size();
+  const auto sums = at.sums.matrix();
   Eigen::SparseMatrix<double> matrix(n, n);
   // In order: whatever is put between what is there moves all that follows.
   for (Eigen::Index j = 0; j < n; ++j) {
     matrix.startVec(j);
-    matrix.insertBack(j, j) = at.sums.matrix(j, j) * (1 + damping) + hold;
+    matrix.insertBack(j, j) = sums(j, j) * (1 + damping) + hold;
     for (Eigen::Index i = j + 1; i < n; ++i) {
-      if (at.sums.matrix(i, j) != 0) matrix.insertBack(i, j) = at.sums.matrix(i, j);
+      if (sums(i, j) != 0) matrix.insertBack(i, j) = sums(i, j);
     }
   }
   matrix.finalize();

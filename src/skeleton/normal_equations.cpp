@@ -1,5 +1,10 @@
 #include "skeleton/normal_equations.h"
 
+#include <sys/mman.h>
+
+#include <cstdlib>
+#include <new>
+
 #include "lascaux/field/compiled_field.h"
 #include "skeleton/four.h"
 #include "skeleton/index.h"
@@ -15,7 +20,7 @@ namespace {
 }
 
 [[gnu::always_inline]] inline void Add(const SparseRow& row, NormalEquations& sums) {
-  const auto rows = static_cast<std::size_t>(sums.matrix.rows());
+  const auto rows = static_cast<std::size_t>(sums.rows);
   std::span<const double> values = row.values;
   for (std::size_t r = 0; r < row.runs.size(); ++r) {
     const PlanarSample::Run& run = row.runs[r];
@@ -25,7 +30,7 @@ namespace {
       const std::size_t j = Index(run.first) + k, aligned = k / 4 * 4;
       const double weighted = row.weight * own[k];
       sums.slope.data()[j] += weighted * row.residual;
-      double* const column = sums.matrix.data() + rows * j;
+      double* const column = sums.zeros.data() + rows * j;
       AddScaled(own.subspan(aligned), weighted, column + Index(run.first) + aligned);
       std::span<const double> rest = values;
       for (std::size_t below = r + 1; below < row.runs.size(); ++below) {
@@ -49,6 +54,30 @@ constexpr auto AddAvx2 = AddBaseline;
 #endif
 
 }  // namespace
+
+void LazyZeros::Free::operator()(double* data) const noexcept {
+  if (mapped_bytes > 0) {
+    munmap(data, mapped_bytes);
+  } else {
+    std::free(data);
+  }
+}
+
+LazyZeros::LazyZeros(std::size_t count) : data_(nullptr, Free{0}) {
+  constexpr std::size_t kLarge = std::size_t{4} << 20;
+  const std::size_t bytes = count * sizeof(double);
+  if (bytes < kLarge) {
+    data_.reset(static_cast<double*>(std::calloc(count + 1, sizeof(double))));
+    if (!data_) throw std::bad_alloc();
+    return;
+  }
+  void* const mapped =
+      mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (mapped == MAP_FAILED) throw std::bad_alloc();
+  madvise(mapped, bytes, MADV_NOHUGEPAGE);  // only for speed and memory: whatever it says
+  data_.get_deleter().mapped_bytes = bytes;
+  data_.reset(static_cast<double*>(mapped));
+}
 
 void AddRow(const SparseRow& row, NormalEquations& sums) {
   static const auto add = BestIsa() == Isa::kBaseline ? AddBaseline : AddAvx2;

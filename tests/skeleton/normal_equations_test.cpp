@@ -37,7 +37,7 @@ TEST(NormalEquations, AreThoseOfTheDenseMatrix) {
   for (int column = 0; column < kUnknowns; ++column) {
     EXPECT_NEAR(sums.slope[column], slope[column], 1e-12);
     for (int row = column; row < kUnknowns; ++row)
-      EXPECT_NEAR(sums.matrix(row, column), matrix(row, column), 1e-12) << row << ", " << column;
+      EXPECT_NEAR(sums.matrix()(row, column), matrix(row, column), 1e-12) << row << ", " << column;
   }
 }
 
