@@ -24,7 +24,8 @@ namespace lascaux {
 struct GridPlugin {
   Diagnostics (*write_vdb)(const std::filesystem::path& path, const ModelVolume& volume,
                            const WriteVdbOptions& options, const Execution& execution);
-  /// A picture for each of the options. Material::kParts shows the palette, linear.
+  /// A picture for each of the options, in colour or with all layers. Material::kParts shows the
+  /// palette, linear.
   Outcome<std::vector<Picture>> (*render)(const ModelVolume& model,
                                           const std::vector<std::array<float, 3>>& palette,
                                           const std::vector<RenderOptions>& options,

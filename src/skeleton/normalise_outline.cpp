@@ -57,21 +57,15 @@ struct Sample {
   double source = 0;
 };
 
-/// A disc of the skeleton, seen from the side.
-struct Disc {
-  Vector2d center;
-  double radius;
-};
-
 /// The discs at the ends of the segments and halfway between them.
-std::vector<Disc> DiscsOf(const Field& field) {
-  std::vector<Disc> discs;
+std::vector<SkeletonVertex> DiscsOf(const Field& field) {
+  std::vector<SkeletonVertex> discs;
   for (const FieldPart& part : field.parts) {
     for (const FieldChain& chain : part.chains) {
       for (const Segment& s : chain.segments) {
-        const Disc a{s.a.head<2>(), s.radius_a}, b{s.b.head<2>(), s.radius_b};
-        if (discs.empty() || discs.back().center != a.center) discs.push_back(a);
-        discs.push_back({(a.center + b.center) / 2, (a.radius + b.radius) / 2});
+        const SkeletonVertex a{s.a.head<2>(), s.radius_a}, b{s.b.head<2>(), s.radius_b};
+        if (discs.empty() || discs.back().position != a.position) discs.push_back(a);
+        discs.push_back({(a.position + b.position) / 2, (a.radius + b.radius) / 2});
         discs.push_back(b);
       }
     }
@@ -80,10 +74,10 @@ std::vector<Disc> DiscsOf(const Field& field) {
 }
 
 /// Radius of the disc whose circle passes nearest.
-double LocalRadius(const std::vector<Disc>& discs, const Vector2d& place) {
+double LocalRadius(const std::vector<SkeletonVertex>& discs, const Vector2d& place) {
   double nearest = std::numeric_limits<double>::infinity(), radius = 0;
-  for (const Disc& disc : discs) {
-    const double distance = std::abs((disc.center - place).norm() - disc.radius);
+  for (const SkeletonVertex& disc : discs) {
+    const double distance = std::abs((disc.position - place).norm() - disc.radius);
     if (distance < nearest) nearest = distance, radius = disc.radius;
   }
   return radius;
@@ -204,7 +198,7 @@ struct Samples {
 
 Samples SampleOutlines(const Field& field, const DrawnOutline& drawn, double diagonal) {
   Samples samples;
-  const std::vector<Disc> discs = DiscsOf(field);
+  const std::vector<SkeletonVertex> discs = DiscsOf(field);
   for (const auto& run :
        UnionOutline(drawn.parts, drawn.graph, kSpacing * diagonal / drawn.frame.scale)) {
     const std::size_t n = run.size();

@@ -24,7 +24,7 @@ struct PointSample {
   Vector2d by_center = Vector2d::Zero();
 };
 
-PointSample SamplePoint(const Disc& disc, double weight, const Vector2d& point) {
+PointSample SamplePoint(const SkeletonVertex& disc, double weight, const Vector2d& point) {
   const Vector2d d = (point - disc.position) / disc.radius;
   const double h2 = d.squaredNorm(), k = 1 - h2 / 4;
   if (k <= 0) return {};
@@ -79,9 +79,9 @@ PlanarField::PlanarField(const std::vector<Chain>& chains) {
       box.max().array() += reach;
       line.boxes.Add(box);
       const int a = line.radii[Index(i)] >= line.radii[Index(i + 1)] ? i : i + 1, b = 2 * i + 1 - a;
-      LaneSegment& segment =
-          line.segments.emplace_back(Disc{line.positions[Index(a)], line.radii[Index(a)]},
-                                     Disc{line.positions[Index(b)], line.radii[Index(b)]});
+      LaneSegment& segment = line.segments.emplace_back(
+          SkeletonVertex{line.positions[Index(a)], line.radii[Index(a)]},
+          SkeletonVertex{line.positions[Index(b)], line.radii[Index(b)]});
       segment.a = a, segment.b = b;
     }
     pulls_.resize(std::max(pulls_.size(), line.positions.size()));

@@ -171,7 +171,7 @@ constexpr auto FindAvx2 = FindBaseline;
 
 }  // namespace
 
-LaneSegment::LaneSegment(const Disc& from, const Disc& to) {
+LaneSegment::LaneSegment(const SkeletonVertex& from, const SkeletonVertex& to) {
   const Vector2d axis = to.position - from.position;
   const double length = axis.norm();
   if (!(length > 0)) return;

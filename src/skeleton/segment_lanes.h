@@ -7,15 +7,12 @@
 #include <span>
 #include <vector>
 
+#include "lascaux/skeleton/skeleton.h"
+
 /// @file
 /// The fields of segments in their plane, with derivatives by what they hang on, four at a time.
 
 namespace lascaux {
-
-struct Disc {
-  Eigen::Vector2d position;
-  double radius;
-};
 
 /// A segment with what does not depend on the place that asks. Its parameter begins at `a`, the end
 /// of the larger radius.
@@ -29,7 +26,7 @@ struct LaneSegment {
 
   /// Of length 0 it has no field.
   LaneSegment() = default;
-  LaneSegment(const Disc& from, const Disc& to);
+  LaneSegment(const SkeletonVertex& from, const SkeletonVertex& to);
 };
 
 /// Boxes to look for a place in.

@@ -1,13 +1,11 @@
 #include "grid_plugin.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "lascaux/io/write_vdb.h"
 #include "lascaux/volume/level_set.h"
 #include "lascaux/volume/render_grids.h"
 #include "lascaux/volume/volume_grids.h"
-#include "run_pipeline.h"
 
 namespace lascaux {
 namespace {
@@ -27,13 +25,8 @@ Outcome<std::vector<Picture>> RenderModel(const ModelVolume& model,
                                           const std::vector<RenderOptions>& options,
                                           const Execution& execution) {
   const auto surface = ToLevelSet(model.surface, execution);
-  ShownModel shown{surface, nullptr, nullptr, palette};
-  const auto needs_colors = [](const RenderOptions& o) { return NeedsOpenVdb(o); };
-  if (std::any_of(options.begin(), options.end(), needs_colors)) {
-    const ColorGrids grids = ColorsBesideSurface(*surface, model, execution);
-    shown.color = grids.color;
-    shown.part = grids.part;
-  }
+  const ColorGrids grids = ColorsBesideSurface(*surface, model, execution);
+  const ShownModel shown{surface, grids.color, grids.part, palette};
   std::vector<Picture> pictures;
   Diagnostics log;
   for (const RenderOptions& one : options) {

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sketch/map/attach.h"
 #include "sketch/map/closures.h"
@@ -38,6 +39,8 @@ constexpr double kSlit = 6e-3;
 constexpr double kSlitLength = 20;
 /// The animal fills at least this share of the drawing's bounds, or its outline is open.
 constexpr double kLeastBodyShare = 0.08;
+/// Slits whose ends are nearer than this share of the drawing are one.
+constexpr double kSameSlit = 1e-3;
 
 std::size_t Index(int i) { return static_cast<std::size_t>(i); }
 
@@ -217,12 +220,15 @@ Outcome<PlanarMap> CloseGaps(PlanarMap map, std::vector<ArrangementLine> lines,
       return Result::Failure(std::move(log));
   }
   const double least = kLeastBodyShare * BoxArea(work.map);
-  // A slit that encloses nothing more would be found again.
-  for (double largest = -1; LargestFace(work.map) < least;) {
-    if (LargestFace(work.map) <= largest) break;
-    largest = LargestFace(work.map);
+  std::vector<Slit> closed;
+  while (LargestFace(work.map) < least) {
     const auto slit = FindSlit(work.map);
-    if (!slit) break;
+    // One that closing did not close would be found for ever.
+    if (!slit || std::any_of(closed.begin(), closed.end(), [&](const Slit& other) {
+          return (slit->from - other.from).norm() + (slit->to - other.to).norm() < kSameSlit * size;
+        }))
+      break;
+    closed.push_back(*slit);
     log.push_back(
         Describe(slit->from, slit->to, "slit-closed", "closed a slit between two lines", size));
     work.lines.push_back({{slit->from, slit->to}, -1, false, 0});
