@@ -95,7 +95,8 @@ struct Writer {
     file.metadata.emplace_back("lascaux_parts", NamesOf(parts));
     if (!NeedsOpenVdb(volume)) {
       const NarrowBand& surface = model.grid->surface;
-      return WriteBandVdb(path, volume.up == UpAxis::kY ? surface : TurnedZUp(surface), file);
+      if (volume.up == UpAxis::kZ) return WriteBandVdb(path, TurnedZUp(surface), file);
+      return WriteBandVdb(path, surface, file);
     }
     const ModelVolume contents{model.grid->surface,
                                *model.field,

@@ -31,6 +31,11 @@ void FileWriter::Write(std::string_view bytes) {
   }
 }
 
+void FileWriter::Rewrite(std::string_view bytes) {
+  if (error_ == 0 && lseek(descriptor_, 0, SEEK_SET) < 0) error_ = errno;
+  Write(bytes);
+}
+
 Diagnostics FileWriter::Close() {
   // Some file systems report a full disk only here. EINTR on closing means closed on Linux.
   if (descriptor_ >= 0 && close(descriptor_) != 0 && error_ == 0 && errno != EINTR) error_ = errno;

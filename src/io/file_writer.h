@@ -20,6 +20,9 @@ class FileWriter {
   /// Hands the bytes to the system at once: callers gather large pieces themselves.
   void Write(std::string_view bytes);
 
+  /// Writes the file's beginning anew: at most as many bytes as it has.
+  void Rewrite(std::string_view bytes);
+
   /// Closes the file; what went wrong since the beginning, if anything did.
   Diagnostics Close();
 

@@ -10,13 +10,18 @@
 
 namespace lascaux {
 
-/// The vertices in the unit, each coordinate multiplied in double precision and rounded once.
+/// A vertex in another unit than millimetres, each coordinate multiplied in double precision and
+/// rounded once.
+inline Eigen::Vector3f SceneVertex(const Eigen::Vector3f& vertex, double per_millimetre) {
+  return (per_millimetre * vertex.cast<double>()).cast<float>();
+}
+
+/// All of a mesh's.
 inline std::vector<Eigen::Vector3f> SceneVertices(const Mesh& mesh, Unit unit) {
   const double factor = PerMillimetre(unit);
   std::vector<Eigen::Vector3f> vertices;
   vertices.reserve(mesh.vertices.size());
-  for (const Eigen::Vector3f& v : mesh.vertices)
-    vertices.emplace_back((factor * v.cast<double>()).cast<float>());
+  for (const Eigen::Vector3f& v : mesh.vertices) vertices.push_back(SceneVertex(v, factor));
   return vertices;
 }
 

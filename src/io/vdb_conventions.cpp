@@ -26,9 +26,10 @@ float VdbBackground(double voxel_size) {
   return background;
 }
 
-void SetVdbId(std::string& bytes) {
+void SetVdbId(std::string& bytes, std::string_view hashes_behind) {
   bytes.replace(kIdOffset, kIdLength, kIdLength, '0');
   std::string id = ContentHashText(bytes);
+  if (!hashes_behind.empty()) id = ContentHashText(id.append(hashes_behind));
   for (const unsigned dash : {8U, 13U, 18U, 23U}) id.insert(dash, 1, '-');
   bytes.replace(kIdOffset, kIdLength, id);
 }

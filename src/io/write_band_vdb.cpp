@@ -10,9 +10,10 @@
 #include <string>
 #include <string_view>
 
+#include "io/file_writer.h"
 #include "io/vdb_conventions.h"
 #include "io/vdb_tree.h"
-#include "lascaux/io/output_file.h"
+#include "lascaux/io/content_hash.h"
 
 namespace lascaux {
 namespace {
@@ -66,18 +67,20 @@ class File {
     Number(std::int64_t{0});
     return bytes_.size() - sizeof(std::int64_t);
   }
-  /// Writes the end of the file so far there.
-  void Place(std::size_t room) {
-    const auto end = static_cast<std::int64_t>(bytes_.size());
+  /// Writes the end of the file so far there, or of so many bytes behind that.
+  void Place(std::size_t room, std::size_t behind = 0) {
+    const auto end = static_cast<std::int64_t>(bytes_.size() + behind);
     std::memcpy(bytes_.data() + room, &end, sizeof end);
   }
 
-  void Reserve(std::size_t size) { bytes_.reserve(size); }
-  std::string Take() && { return std::move(bytes_); }
+  std::string& bytes() { return bytes_; }
 
  private:
   std::string bytes_;
 };
+
+/// Bytes of leaves that are gathered before they go to the file.
+constexpr std::size_t kPieceBytes = std::size_t{1} << 20;
 
 /// A band in the unit of the scene.
 class BandFile {
@@ -89,38 +92,66 @@ class BandFile {
         background_(VdbBackground(factor_ * band.voxel_size)),
         tree_(TreeOf(band)) {}
 
-  std::string Encode() {
-    file_.Reserve(band_.size() * (kBlockVoxels * sizeof(float)) / 2 + (std::size_t{1} << 16));
+  /// The leaves are most of the file and are written piece by piece. What is before them tells
+  /// where they end, and is written once more then.
+  Diagnostics Write(const std::filesystem::path& path) {
     WriteHeader();
-    file_.Text("surface");
-    file_.Text("Tree_float_5_4_3");
-    file_.Text("");  // not an instance of another grid
-    const std::size_t begin = file_.Room(), leaves = file_.Room(), end = file_.Room();
-    file_.Place(begin);
-    file_.Number(kActiveValuesOnly);
+    head_.Text("surface");
+    head_.Text("Tree_float_5_4_3");
+    head_.Text("");  // not an instance of another grid
+    const std::size_t begin = head_.Room(), leaves = head_.Room(), end = head_.Room();
+    head_.Place(begin);
+    head_.Number(kActiveValuesOnly);
     WriteGridMetadata();
     WriteTransform();
     WriteTopology();
-    file_.Place(leaves);
-    ForLeaves([this](std::uint32_t block) { WriteLeaf(block); });
-    file_.Place(end);
-    return std::move(file_).Take();
+    head_.Place(leaves);
+    FileWriter file(path);
+    file.Write(head_.bytes());
+    const Written written = WriteLeaves(file);
+    head_.Place(end, written.bytes);
+    SetVdbId(head_.bytes(), written.prints);
+    file.Rewrite(head_.bytes());
+    return file.Close();
   }
 
  private:
+  /// Leaves in the file, and the hashes of their pieces.
+  struct Written {
+    std::size_t bytes = 0;
+    std::string prints;
+  };
+
+  Written WriteLeaves(FileWriter& file) const {
+    Written written;
+    File piece;
+    const auto flush = [&] {
+      file.Write(piece.bytes());
+      written.bytes += piece.bytes().size();
+      written.prints += ContentHashText(piece.bytes());
+      piece.bytes().clear();
+    };
+    ForLeaves([&](std::uint32_t block) {
+      WriteLeaf(block, piece);
+      if (piece.bytes().size() >= kPieceBytes) flush();
+    });
+    flush();
+    return written;
+  }
+
   void WriteHeader() {
-    file_.Number(kMagic);
-    file_.Number(kFileVersion);
-    file_.Number(kLibraryMajor);
-    file_.Number(kLibraryMinor);
-    file_.Number(char{1});  // the grids' places are known
-    for (int i = 0; i < 36; ++i) file_.Number('0');
+    head_.Number(kMagic);
+    head_.Number(kFileVersion);
+    head_.Number(kLibraryMajor);
+    head_.Number(kLibraryMinor);
+    head_.Number(char{1});  // the grids' places are known
+    for (int i = 0; i < 36; ++i) head_.Number('0');
     std::map<std::string, std::string> metadata(options_.metadata.begin(), options_.metadata.end());
     metadata.emplace("units", Name(options_.unit));
     metadata.emplace("up_axis", Name(options_.up));
-    file_.Number(static_cast<std::uint32_t>(metadata.size()));
-    for (const auto& [key, value] : metadata) file_.Entry(key, value);
-    file_.Number(std::int32_t{1});  // grid
+    head_.Number(static_cast<std::uint32_t>(metadata.size()));
+    for (const auto& [key, value] : metadata) head_.Entry(key, value);
+    head_.Number(std::int32_t{1});  // grid
   }
 
   template <typename Visit>
@@ -167,33 +198,33 @@ class BandFile {
 
   void WriteGridMetadata() {
     const Eigen::AlignedBox3i box = ActiveBox();
-    file_.Number(std::uint32_t{7});
-    file_.Entry("class", "level set");
-    file_.Entry("file_bbox_max", box.max());
-    file_.Entry("file_bbox_min", box.min());
-    file_.Entry("file_compression", "active values");
-    file_.Entry("file_mem_bytes", BytesInMemory());
-    file_.Entry("file_voxel_count", CountActive(band_));
-    file_.Entry("name", "surface");
+    head_.Number(std::uint32_t{7});
+    head_.Entry("class", "level set");
+    head_.Entry("file_bbox_max", box.max());
+    head_.Entry("file_bbox_min", box.min());
+    head_.Entry("file_compression", "active values");
+    head_.Entry("file_mem_bytes", BytesInMemory());
+    head_.Entry("file_voxel_count", CountActive(band_));
+    head_.Entry("name", "surface");
   }
 
   void WriteTransform() {
-    file_.Text("UniformScaleTranslateMap");
+    head_.Text("UniformScaleTranslateMap");
     const double scale = factor_ * band_.voxel_size;
-    for (int axis = 0; axis < 3; ++axis) file_.Number(factor_ * band_.origin[axis]);
+    for (int axis = 0; axis < 3; ++axis) head_.Number(factor_ * band_.origin[axis]);
     // Scale and voxel size, and what OpenVDB keeps of them for differences.
     for (const double value : {scale, scale, 1 / scale, 1 / (scale * scale), 0.5 / scale}) {
-      for (int axis = 0; axis < 3; ++axis) file_.Number(value);
+      for (int axis = 0; axis < 3; ++axis) head_.Number(value);
     }
   }
 
   void WriteTopology() {
-    file_.Number(std::int32_t{1});  // buffer a leaf
-    file_.Number(background_);
-    file_.Number(std::uint32_t{0});  // tiles of the root
-    file_.Number(static_cast<std::uint32_t>(tree_.size()));
+    head_.Number(std::int32_t{1});  // buffer a leaf
+    head_.Number(background_);
+    head_.Number(std::uint32_t{0});  // tiles of the root
+    head_.Number(static_cast<std::uint32_t>(tree_.size()));
     for (const auto& [origin, upper] : tree_) {
-      for (const int coordinate : origin) file_.Number(std::int32_t{coordinate});
+      for (const int coordinate : origin) head_.Number(std::int32_t{coordinate});
       std::array<std::uint64_t, 512> children{};
       for (const auto& [at, lower] : upper.lower)
         children[at / 64U] |= std::uint64_t{1} << at % 64U;
@@ -201,16 +232,16 @@ class BandFile {
       for (const auto& [at, lower] : upper.lower) {
         WriteNode(lower.leaves, lower.inside);
         for (const auto& [place, block] : lower.blocks)
-          file_.Numbers(std::span<const std::uint64_t>(band_.active[block]));
+          head_.Numbers(std::span<const std::uint64_t>(band_.active[block]));
       }
     }
   }
 
   /// A node's children and tiles, none of which is active.
   void WriteNode(std::span<const std::uint64_t> children, std::span<const std::uint64_t> inside) {
-    file_.Numbers(children);
+    head_.Numbers(children);
     const std::vector<std::uint64_t> active(children.size(), 0);
-    file_.Numbers(std::span(active));
+    head_.Numbers(std::span(active));
     std::vector<std::uint64_t> outside(children.size());
     std::uint64_t any_inside = 0, any_outside = 0;
     for (std::size_t i = 0; i < children.size(); ++i) {
@@ -219,18 +250,24 @@ class BandFile {
       any_inside |= minus;
       any_outside |= outside[i];
     }
-    WriteInactive(any_inside != 0, any_outside != 0, outside);
+    WriteInactive({any_inside != 0, any_outside != 0, outside}, head_);
   }
 
-  void WriteInactive(bool any_inside, bool any_outside, std::span<const std::uint64_t> outside) {
-    const Inactive kind = !any_inside   ? Inactive::kPlus
-                          : any_outside ? Inactive::kBoth
-                                        : Inactive::kMinus;
-    file_.Number(kind);
-    if (kind == Inactive::kBoth) file_.Numbers(outside);
+  /// Signs of a node's inactive values.
+  struct Signs {
+    bool any_inside, any_outside;
+    std::span<const std::uint64_t> outside;
+  };
+
+  static void WriteInactive(const Signs& signs, File& to) {
+    const Inactive kind = !signs.any_inside   ? Inactive::kPlus
+                          : signs.any_outside ? Inactive::kBoth
+                                              : Inactive::kMinus;
+    to.Number(kind);
+    if (kind == Inactive::kBoth) to.Numbers(signs.outside);
   }
 
-  void WriteLeaf(std::uint32_t block) {
+  void WriteLeaf(std::uint32_t block, File& piece) const {
     const VoxelMask& active = band_.active[block];
     const float* const values = band_.values.data() + kBlockVoxels * block;
     std::array<float, kBlockVoxels> written;
@@ -248,9 +285,9 @@ class BandFile {
         written[count++] =
             Scaled(values[64 * x + static_cast<std::size_t>(std::countr_zero(word))]);
     }
-    file_.Numbers(std::span<const std::uint64_t>(active));
-    WriteInactive(any_inside != 0, any_outside != 0, outside);
-    file_.Numbers(std::span<const float>(written.data(), count));
+    piece.Numbers(std::span<const std::uint64_t>(active));
+    WriteInactive({any_inside != 0, any_outside != 0, outside}, piece);
+    piece.Numbers(std::span<const float>(written.data(), count));
   }
 
   /// Rounding may carry a distance at the band's edge past the background by one bit.
@@ -264,7 +301,7 @@ class BandFile {
   double factor_;
   float background_;
   VdbTree tree_;
-  File file_;
+  File head_;
 };
 
 }  // namespace
@@ -273,9 +310,7 @@ Diagnostics WriteBandVdb(const std::filesystem::path& path, const NarrowBand& ba
                          const WriteVdbOptions& options) {
   Diagnostics wrong = CheckVdbVoxelSize(path, band.voxel_size, options.unit);
   if (!wrong.empty()) return wrong;
-  std::string bytes = BandFile(band, options).Encode();
-  SetVdbId(bytes);
-  return WriteBytes(path, bytes);
+  return BandFile(band, options).Write(path);
 }
 
 }  // namespace lascaux

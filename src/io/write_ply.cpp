@@ -65,9 +65,9 @@ Diagnostics WritePly(const std::filesystem::path& path, const Mesh& mesh,
   const std::vector<Eigen::Vector3f> computed =
       details.normals.empty() ? VertexNormals(mesh) : std::vector<Eigen::Vector3f>();
   const std::vector<Eigen::Vector3f>& normals = computed.empty() ? details.normals : computed;
-  const std::vector<Eigen::Vector3f> vertices = SceneVertices(mesh, options.unit);
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    batch.Append(vertices[i].data(), 3);
+  const double factor = PerMillimetre(options.unit);
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    batch.Append(SceneVertex(mesh.vertices[i], factor).data(), 3);
     batch.Append(normals[i].data(), 3);
     if (details.vertex_parts.empty()) continue;
     const std::uint16_t part = details.vertex_parts[i];

@@ -16,8 +16,9 @@ namespace lascaux {
 /// ToLevelSet(band), by the same rules and with the same errors; a test has OpenVDB read both. Only
 /// the index for delayed loading is left out, which OpenVDB does without.
 ///
-/// options.floats must be kFull. The same band and options give the same bytes. Holds the file's
-/// bytes while it works; about 1 GB/s.
+/// options.floats must be kFull. The same band and options give the same bytes. About 1 GB/s,
+/// and little memory: leaves are written piece by piece. The path must be of a file that can be
+/// written to anywhere, not of a pipe.
 Diagnostics WriteBandVdb(const std::filesystem::path& path, const NarrowBand& band,
                          const WriteVdbOptions& options = {});
 
