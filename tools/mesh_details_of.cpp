@@ -74,12 +74,12 @@ void Paint(const DrawingColors& colors, const Mesh& mesh, MeshDetails& details) 
   }
 }
 
-MeshDetails MeshDetailsOf(const Model& model, const Execution& execution) {
+MeshDetails MeshDetailsOf(Model& model, const Execution& execution) {
   MeshDetails details;
   const Eigen::Vector3d to_field(0, -model.lift, 0);
   details.normals = model.print_record
                         ? VertexNormals(*model.mesh)  // the field knows nothing of the changes
-                        : FieldNormals(*model.mesh, *model.field, to_field, execution);
+                        : TakeFieldNormals(*model.mesh, *model.field, to_field, execution);
   details.parts = FieldPartsOf(model);
   assert(details.parts.size() == model.field->parts.size());
   details.vertex_parts = PartOfPoints(*model.field, model.mesh->vertices, to_field, execution);

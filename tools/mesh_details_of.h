@@ -32,9 +32,9 @@ std::optional<DrawingColors> DrawingColorsOf(const Model& model, const Execution
 /// theirs.
 void Paint(const DrawingColors& colors, const Mesh& mesh, MeshDetails& details);
 
-/// Normals and parts from the field, for the model's mesh.
+/// Normals and parts from the field, for the model's mesh, whose own normals they are then.
 ///
 /// Precondition: graph, creature, field and mesh are there.
-MeshDetails MeshDetailsOf(const Model& model, const Execution& execution = {});
+MeshDetails MeshDetailsOf(Model& model, const Execution& execution = {});
 
 }  // namespace lascaux

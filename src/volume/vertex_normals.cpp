@@ -9,6 +9,7 @@
 #include <atomic>
 #include <map>
 #include <span>
+#include <utility>
 
 #include "lascaux/field/compiled_field.h"
 #include "volume/arena.h"
@@ -85,6 +86,22 @@ void TurnToFaces(const Mesh& mesh, std::vector<Vector3f>& normals) {
   }
 }
 
+/// Where normals are wanted.
+struct Surface {
+  const Mesh& mesh;
+  const Field& field;
+  const Vector3d& offset;
+};
+
+std::vector<Vector3f> Complete(std::vector<Vector3f> normals, const Surface& of,
+                               const Execution& execution) {
+  RunInArena(execution, [&] {
+    if (normals.empty()) normals = OutwardOf(of.mesh, of.field, of.offset);
+    TurnToFaces(of.mesh, normals);
+  });
+  return normals;
+}
+
 }  // namespace
 
 std::vector<Vector3f> VertexNormals(const Mesh& mesh) {
@@ -102,12 +119,12 @@ std::vector<Vector3f> VertexNormals(const Mesh& mesh) {
 
 std::vector<Vector3f> FieldNormals(const Mesh& mesh, const Field& field, const Vector3d& offset,
                                    const Execution& execution) {
-  std::vector<Vector3f> normals = mesh.outward;
-  RunInArena(execution, [&] {
-    if (normals.empty()) normals = OutwardOf(mesh, field, offset);
-    TurnToFaces(mesh, normals);
-  });
-  return normals;
+  return Complete(mesh.outward, {mesh, field, offset}, execution);
+}
+
+std::vector<Vector3f> TakeFieldNormals(Mesh& mesh, const Field& field, const Vector3d& offset,
+                                       const Execution& execution) {
+  return Complete(std::exchange(mesh.outward, {}), {mesh, field, offset}, execution);
 }
 
 }  // namespace lascaux

@@ -26,4 +26,9 @@ std::vector<Eigen::Vector3f> FieldNormals(const Mesh& mesh, const Field& field,
                                           const Eigen::Vector3d& offset,
                                           const Execution& execution = {});
 
+/// The same in the memory of those that the mesh knows, which it has no more then.
+std::vector<Eigen::Vector3f> TakeFieldNormals(Mesh& mesh, const Field& field,
+                                              const Eigen::Vector3d& offset,
+                                              const Execution& execution = {});
+
 }  // namespace lascaux
