@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -40,6 +41,13 @@ class Random {
  private:
   std::mt19937 engine_;
 };
+
+std::optional<float> HitAlone(const Surface& surface, const Ray& ray) {
+  Rays rays;
+  rays.Add(ray, 0);
+  const float t = surface.Hit(rays).front();
+  return std::isinf(t) ? std::nullopt : std::optional(t);
+}
 
 TEST(SpreadSeeds, FindsTheNearestSeedOfEveryNode) {
   const std::array<int, 3> size = {7, 9, 5};
@@ -106,7 +114,7 @@ TEST(Surface, RaysMeetASphereWhereItIs) {
     const Ray ray{eye, (target - eye).normalized()};
     const float along = (kCenter - eye).dot(ray.direction);
     const float miss = (eye + along * ray.direction - kCenter).norm();
-    const auto t = surface.Hit(ray, 0);
+    const auto t = HitAlone(surface, ray);
     if (miss > kRadius + 0.1F) {
       EXPECT_FALSE(t) << i;
     }
@@ -136,12 +144,35 @@ TEST(Surface, RaysAroundAFreeLengthMeetNothingWithinIt) {
     EXPECT_GE(narrow, free) << i;
     const Eigen::Vector3f aside = middle.direction.cross(random.Direction()).normalized();
     const Ray ray{eye, (middle.direction + kSpread * aside).normalized()};
-    const auto t = surface.Hit(ray, 0);
+    const auto t = HitAlone(surface, ray);
     if (t) {
       EXPECT_GE(*t, free) << i;
     }
     if (free < 1e9F) {
       EXPECT_GT(free, 100) << i;  // it is worth its cost
+    }
+  }
+}
+
+TEST(Surface, RaysDoNotDependOnWhoGoesWithThem) {
+  const auto grid = Sphere();
+  const LeafTable leaves = LeavesOf(*grid);
+  const CoarseField coarse(leaves, 30);
+  const Surface surface(leaves, coarse);
+  Random random(5);
+  const Eigen::Vector3f eye = kCenter + Eigen::Vector3f(20, 150, -60);
+  for (std::size_t count : {0, 1, 7, 8, 9, 100}) {
+    Rays rays;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Eigen::Vector3f target = kCenter + 45 * random.Direction();
+      rays.Add({eye, (target - eye).normalized()}, random.Uniform(0, 40));
+    }
+    const std::vector<float> hits = surface.Hit(rays);
+    ASSERT_EQ(hits.size(), count);
+    for (std::size_t i = 0; i < count; ++i) {
+      Rays one;
+      one.Add({eye, {rays.x[i], rays.y[i], rays.z[i]}}, rays.from[i]);
+      EXPECT_EQ(hits[i], surface.Hit(one).front()) << i << " of " << count;
     }
   }
 }

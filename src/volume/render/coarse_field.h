@@ -22,6 +22,9 @@ namespace lascaux {
 /// it stays at minus the band's width.
 class CoarseField {
  public:
+  /// Distances are wrong by less than this many strides.
+  static constexpr float kError = 0.8F;
+
   /// About `nodes` nodes along the longest side. The level set has active voxels.
   CoarseField(const LeafTable& table, int nodes);
 
@@ -50,6 +53,8 @@ class CoarseField {
   std::vector<Eigen::Vector3f> SolidNodes() const;
 
  private:
+  friend struct CoarseLanes;
+
   void Sample(const LeafTable& table, const Eigen::Vector3i& origin, float band);
 
   std::size_t Index(int x, int y, int z) const noexcept {

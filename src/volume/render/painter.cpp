@@ -114,15 +114,27 @@ void Painter::PaintMiddles() {
 
 void Painter::PaintEdges() {
   ForBlocks([this](const Block& block) {
-    ForParts(block, kQuad, [this](const Block& quad) {
-      if (!(free_[QuadIndex(quad.left, quad.top)] < kNothing))
-        return;  // no ray in it meets anything
-      ForParts(quad, 1, [this](const Block& pixel) {
-        if (IsEdge(pixel.left, pixel.top)) {
-          Put(pixel.left, pixel.top, EdgeLight(pixel.left, pixel.top));
+    std::vector<Block> edges;
+    std::vector<Place> places;
+    ForParts(block, kQuad, [&](const Block& quad) {
+      const float free = free_[QuadIndex(quad.left, quad.top)];
+      if (!(free < kNothing)) return;  // no ray in it meets anything
+      ForParts(quad, 1, [&](const Block& pixel) {
+        if (!IsEdge(pixel.left, pixel.top)) return;
+        edges.push_back(pixel);
+        for (const auto& [dx, dy] : kEdgePlaces) {
+          places.push_back(
+              {static_cast<float>(pixel.left) + dx, static_cast<float>(pixel.top) + dy, free});
         }
       });
     });
+    const std::vector<std::optional<Sample>> samples = scene_.Trace(places);
+    constexpr std::size_t kCount = kEdgePlaces.size();
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      Put(edges[i].left, edges[i].top,
+          EdgeLight(std::span(places).subspan(kCount * i, kCount),
+                    std::span(samples).subspan(kCount * i, kCount)));
+    }
   });
 }
 
@@ -133,15 +145,19 @@ void Painter::TraceBlock(const Block& block) {
                              static_cast<float>(part.top) + half, half, from);
   };
   const float free = free_length(block, kBlock, 0);
+  std::vector<Place> places;
+  std::vector<std::size_t> pixels;
   ForParts(block, kQuad, [&](const Block& quad) {
     const float quad_free = free < kNothing ? free_length(quad, kQuad, free) : kNothing;
     free_[QuadIndex(quad.left, quad.top)] = quad_free;
     if (!(quad_free < kNothing)) return;
     ForParts(quad, 1, [&](const Block& pixel) {
-      samples_[Index(pixel.left, pixel.top)] =
-          scene_.Trace(Middle(pixel.left), Middle(pixel.top), quad_free);
+      places.push_back({Middle(pixel.left), Middle(pixel.top), quad_free});
+      pixels.push_back(Index(pixel.left, pixel.top));
     });
   });
+  const std::vector<std::optional<Sample>> found = scene_.Trace(places);
+  for (std::size_t i = 0; i < found.size(); ++i) samples_[pixels[i]] = found[i];
 }
 
 /// Gathers light at a lattice of pixels, and between them blends those on the same sheet: light
@@ -201,31 +217,30 @@ bool Painter::IsEdge(int x, int y) const {
          (y + 1 < height_ && !OnOneSheet(here, samples_[Index(x, y + 1)]));
 }
 
-/// Mean over the pixel; each sheet in it is lit once, since light varies little within a pixel.
-Light Painter::EdgeLight(int x, int y) const {
-  struct Sheet {
-    std::optional<Sample> sample;
-    Light light;
-  };
-  std::array<Sheet, kEdgePlaces.size()> sheets;
+/// Mean over a pixel's places; each sheet in it is lit once, since light varies little within a
+/// pixel.
+Light Painter::EdgeLight(std::span<const Place> places,
+                         std::span<const std::optional<Sample>> samples) const {
+  std::array<std::size_t, kEdgePlaces.size()> first;  // sample of each sheet
+  std::array<Light, kEdgePlaces.size()> light;
   std::size_t count = 0;
-  const float free = free_[QuadIndex(x, y)];
   Light sum = Light::Zero();
-  for (const auto& [dx, dy] : kEdgePlaces) {
-    const float px = static_cast<float>(x) + dx, py = static_cast<float>(y) + dy;
-    std::optional<Sample> sample;
-    if (free < kNothing) sample = scene_.Trace(px, py, free);
-    const auto end = sheets.begin() + static_cast<std::ptrdiff_t>(count);
-    const auto sheet = std::find_if(
-        sheets.begin(), end, [&](const Sheet& known) { return OnOneSheet(known.sample, sample); });
-    if (sheet == end) {
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const auto end = first.begin() + static_cast<std::ptrdiff_t>(count);
+    const auto known = std::find_if(first.begin(), end, [&](std::size_t other) {
+      return OnOneSheet(samples[other], samples[i]);
+    });
+    const auto sheet = static_cast<std::size_t>(known - first.begin());
+    if (known == end) {
       ++count;
-      *sheet = {sample, sample ? scene_.ModelLight(*sample, scene_.Gather(*sample), px, py)
-                               : scene_.BackdropLight(px, py)};
+      first[sheet] = i;
+      const auto& [x, y, free] = places[i];
+      light[sheet] = samples[i] ? scene_.ModelLight(*samples[i], scene_.Gather(*samples[i]), x, y)
+                                : scene_.BackdropLight(x, y);
     }
-    sum += sheet->light;
+    sum += light[sheet];
   }
-  return sum / static_cast<float>(kEdgePlaces.size());
+  return sum / static_cast<float>(samples.size());
 }
 
 void Painter::Put(int x, int y, const Light& light) {

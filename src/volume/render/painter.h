@@ -41,7 +41,8 @@ class Painter {
   BlockLighting GatherBlock(const Block& block) const;
   Lighting BlendedLighting(int x, int y, const Block& cell, const BlockLighting& lighting) const;
   bool IsEdge(int x, int y) const;
-  Light EdgeLight(int x, int y) const;
+  Light EdgeLight(std::span<const Place> places,
+                  std::span<const std::optional<Sample>> samples) const;
   void Put(int x, int y, const Light& light);
   void PutLayers(int x, int y);
 

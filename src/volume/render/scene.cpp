@@ -1,5 +1,7 @@
 #include "volume/render/scene.h"
 
+#include <cmath>
+
 #include "volume/render/tone.h"
 
 namespace lascaux {
@@ -28,11 +30,17 @@ float Scene::FreeLength(float x, float y, float reach, float from) const noexcep
   return surface_.FreeLength(camera_.Through(x, y), spread, from);
 }
 
-std::optional<Sample> Scene::Trace(float x, float y, float from) const noexcept {
-  const Ray ray = camera_.Through(x, y);
-  const std::optional<float> t = surface_.Hit(ray, from);
-  if (!t) return std::nullopt;
-  return Sample{ray.At(*t), surface_.Normal(ray.At(*t))};
+std::vector<std::optional<Sample>> Scene::Trace(std::span<const Place> places) const {
+  Rays rays;
+  for (const Place& place : places) rays.Add(camera_.Through(place.x, place.y), place.free);
+  const std::vector<float> hits = surface_.Hit(rays);
+  std::vector<std::optional<Sample>> samples(places.size());
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    if (std::isinf(hits[i])) continue;
+    const Eigen::Vector3f place = rays.At(i, hits[i]);
+    samples[i] = Sample{place, surface_.Normal(place)};
+  }
+  return samples;
 }
 
 Light Scene::ModelLight(const Sample& sample, const Lighting& lighting, float x, float y) const {

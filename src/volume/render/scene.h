@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "lascaux/volume/render_options.h"
 #include "volume/render/camera.h"
@@ -18,8 +20,13 @@ struct Sample {
   Eigen::Vector3f place, normal;
 };
 
-/// All that is the same for every pixel: the model, the camera, the lights. Places in a picture are
-/// in pixels.
+/// A place in the picture, in pixels.
+struct Place {
+  float x, y;
+  float free;  ///< the part of its ray before this is known to be free
+};
+
+/// All that is the same for every pixel: the model, the camera, the lights.
 class Scene {
  public:
   /// What the table's leaves belong to and the coloring must outlive it.
@@ -29,8 +36,8 @@ class Scene {
   /// they are up to `from`; infinite if none of them meets the model.
   float FreeLength(float x, float y, float reach, float from) const noexcept;
 
-  /// What is seen at a place; everything before `from` is known to be free.
-  std::optional<Sample> Trace(float x, float y, float from) const noexcept;
+  /// What is seen at each place.
+  std::vector<std::optional<Sample>> Trace(std::span<const Place> places) const;
 
   Lighting Gather(const Sample& sample) const noexcept {
     return studio_.Gather(sample.place, sample.normal);

@@ -11,38 +11,9 @@
 namespace lascaux {
 namespace {
 
-/// Distances from the coarse field are wrong by less than this many of its strides.
-constexpr float kCoarseError = 0.8F;
-/// Above this many strides a step with the coarse field is longer than one with the band.
-constexpr float kCoarseRange = 1.4F;
-/// Share of a distance that is stepped: fields are not quite distances where parts blend.
-constexpr float kStepShare = 0.9F;
-// In voxels. The least step bounds the work for rays that graze the surface; guessed steps stay
-// below the thinnest features that a grid can hold.
-constexpr float kLeastStep = 0.15F;
-constexpr float kLongestGuess = 1.2F;
-constexpr float kOvershoot = 0.06F;
-constexpr float kClose = 0.02F;
-constexpr int kRefinements = 2;
-/// Share of the band within which the next step looks at the band first.
-constexpr float kBandEdge = 0.95F;
 /// Steps of less than this many strides are left to the single rays.
 constexpr float kLeastShare = 0.5F;
 constexpr int kMaxSteps = 2000;  // far more than any ray needs: ends a march through a broken grid
-
-/// Part of the ray within the box, or an empty range.
-std::array<float, 2> Clip(const Ray& ray, const Eigen::Vector3f& low, const Eigen::Vector3f& high) {
-  std::array<float, 2> range = {0, 1e9F};
-  for (int axis = 0; axis < 3; ++axis) {
-    const float inverse =
-        1 / ray.direction[axis];  // infinite for parallel rays, which sorts itself out
-    const float a = (low[axis] - ray.origin[axis]) * inverse;
-    const float b = (high[axis] - ray.origin[axis]) * inverse;
-    range[0] = std::max(range[0], std::min(a, b));
-    range[1] = std::min(range[1], std::max(a, b));
-  }
-  return range;
-}
 
 }  // namespace
 
@@ -73,82 +44,13 @@ Surface::Surface(const LeafTable& table, const CoarseField& coarse)
   });
 }
 
-float Surface::At(const Eigen::Vector3f& p) const noexcept {
-  const Eigen::Vector3f local = p - origin_;  // positive: truncation is floor
-  const std::array<int, 3> c = {static_cast<int>(local.x()), static_cast<int>(local.y()),
-                                static_cast<int>(local.z())};
-  const float fx = local.x() - static_cast<float>(c[0]);
-  const float fy = local.y() - static_cast<float>(c[1]);
-  const float fz = local.z() - static_cast<float>(c[2]);
-  constexpr int kLast = kLeafSize - 1;
-  const auto mix = [](float a, float b, float t) { return a + t * (b - a); };
-  const auto mix_all = [&](const std::array<float, 8>& v) {
-    const float low = mix(mix(v[0], v[1], fz), mix(v[2], v[3], fz), fy);
-    const float high = mix(mix(v[4], v[5], fz), mix(v[6], v[7], fz), fy);
-    return per_voxel_ * mix(low, high, fx);
-  };
-  if ((c[0] & kLast) < kLast && (c[1] & kLast) < kLast && (c[2] & kLast) < kLast) {
-    const float* const q = LeafOf(c) + InLeaf(c);
-    return mix_all({q[0], q[1], q[kStrideY], q[kStrideY + 1], q[kStrideX], q[kStrideX + 1],
-                    q[kStrideX + kStrideY], q[kStrideX + kStrideY + 1]});
-  }
-  const auto at = [&](int x, int y, int z) { return Value({c[0] + x, c[1] + y, c[2] + z}); };
-  return mix_all({at(0, 0, 0), at(0, 0, 1), at(0, 1, 0), at(0, 1, 1), at(1, 0, 0), at(1, 0, 1),
-                  at(1, 1, 0), at(1, 1, 1)});
-}
-
-float Surface::Refine(const Ray& ray, Probe outside, Probe inside) const noexcept {
-  const auto crossing = [&] {
-    return outside.t +
-           (inside.t - outside.t) * outside.distance / (outside.distance - inside.distance);
-  };
-  for (int i = 0; i < kRefinements; ++i) {
-    const float t = crossing();
-    const Probe probe{t, At(ray.At(t))};
-    if (std::abs(probe.distance) < kClose) return t;
-    (probe.distance > 0 ? outside : inside) = probe;
-  }
-  return crossing();
-}
-
-std::optional<float> Surface::Hit(const Ray& ray, float from) const noexcept {
-  const auto [begin, end] = Clip(ray, low_, high_);
-  Probe last{std::max(begin, from), band_};
-  float t = last.t;
-  bool in_band = false;
-  for (int step = 0; step < kMaxSteps && t < end; ++step) {
-    const Eigen::Vector3f p = ray.At(t);
-    if (!in_band) {
-      const float rough = coarse_->At(p);
-      in_band = rough <= kCoarseRange * coarse_->stride();
-      if (!in_band) {
-        t += rough - kCoarseError * coarse_->stride();
-        continue;
-      }
-      last = {t, band_};
-    }
-    const Probe probe{t, At(p)};
-    if (probe.distance <= 0) return probe.t > last.t ? Refine(ray, last, probe) : probe.t;
-    in_band = probe.distance < kBandEdge * band_;
-    float length = std::max(kStepShare * probe.distance, kLeastStep);
-    // Where the distance shrinks steadily the surface is a little beyond the place where it would
-    // be 0.
-    const float slope = (last.distance - probe.distance) / (probe.t - last.t);
-    if (last.distance < band_ && slope > 0) {
-      length = std::max(length, std::min(probe.distance / slope, kLongestGuess) + kOvershoot);
-    }
-    last = probe;
-    t += length;
-  }
-  return std::nullopt;
-}
-
 float Surface::FreeLength(const Ray& ray, float spread, float from) const noexcept {
   const Eigen::Vector3f middle = 0.5F * (low_ + high_);
   const float last = (middle - ray.origin).norm() + (high_ - middle).norm();
   float t = from;
   for (int step = 0; step < kMaxSteps && t < last; ++step) {
-    const float free = coarse_->At(ray.At(t)) - kCoarseError * coarse_->stride() - spread * t;
+    const float free =
+        coarse_->At(ray.At(t)) - CoarseField::kError * coarse_->stride() - spread * t;
     if (free < kLeastShare * coarse_->stride()) return t;
     t += free;
   }

@@ -20,6 +20,26 @@ struct Ray {
   Eigen::Vector3f At(float t) const noexcept { return origin + t * direction; }
 };
 
+/// Half lines from one place.
+struct Rays {
+  Eigen::Vector3f origin{0, 0, 0};
+  std::vector<float> x, y, z;  ///< directions, of length 1
+  std::vector<float> from;     ///< the part of each before this is known to be free
+
+  std::size_t size() const noexcept { return from.size(); }
+
+  /// Takes the origin for that of all.
+  void Add(const Ray& ray, float free) {
+    origin = ray.origin;
+    x.push_back(ray.direction.x()), y.push_back(ray.direction.y()), z.push_back(ray.direction.z());
+    from.push_back(free);
+  }
+
+  Eigen::Vector3f At(std::size_t i, float t) const noexcept {
+    return origin + t * Eigen::Vector3f(x[i], y[i], z[i]);
+  }
+};
+
 /// A level set, ready to be met by rays: a table of its leaves, since an accessor is slow where
 /// cells reach over leaves.
 ///
@@ -29,9 +49,12 @@ class Surface {
   /// What the table's leaves belong to must outlive it, and so must the coarse field.
   Surface(const LeafTable& table, const CoarseField& coarse);
 
-  /// First place along the ray that is inside, as a distance from the origin, within 0.05 voxels.
-  /// The part of the ray before `from` is known to be free.
-  std::optional<float> Hit(const Ray& ray, float from) const noexcept;
+  /// First places along the rays that are inside, as distances from their origin, within 0.05
+  /// voxels; infinite where there is none.
+  ///
+  /// Eight rays are followed at once, and a new one is taken when one of them is over: best for
+  /// many that are side by side.
+  std::vector<float> Hit(const Rays& rays) const;
 
   /// How far all rays are free that differ from this one's direction by less than a tangent of
   /// `spread`; infinite if none of them can meet the surface. `from` is known already.
@@ -45,15 +68,7 @@ class Surface {
   static constexpr int kLeafLog = 3, kLeafSize = 1 << kLeafLog;
   static constexpr int kStrideX = kLeafSize * kLeafSize, kStrideY = kLeafSize;
 
-  /// A place along a ray and its distance from the surface.
-  struct Probe {
-    float t, distance;
-  };
-
-  /// Distance in voxels, trilinear. Within the table's box, less one voxel.
-  float At(const Eigen::Vector3f& p) const noexcept;
-  /// Where the sign changes between two places.
-  float Refine(const Ray& ray, Probe outside, Probe inside) const noexcept;
+  friend class RayMarch;
 
   const float* LeafOf(const std::array<int, 3>& c) const noexcept {
     const int x = c[0] >> kLeafLog, y = c[1] >> kLeafLog, z = c[2] >> kLeafLog;
