@@ -12,16 +12,9 @@ namespace lascaux {
 /// the order, nor on how many threads join and ask at once.
 class UnionFind {
  public:
-  explicit UnionFind(std::size_t n) : UnionFind(Unset(n)) {
-    for (std::size_t i = 0; i < n; ++i)
-      Hang(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i));
+  explicit UnionFind(std::size_t n) : parent_(new std::uint32_t[n]) {
+    for (std::size_t i = 0; i < n; ++i) parent_[i] = static_cast<std::uint32_t>(i);
   }
-
-  /// The same before each of them is hung somewhere, which threads can share.
-  static UnionFind Unset(std::size_t n) { return UnionFind(Memory(new std::uint32_t[n])); }
-
-  /// Puts one that was not yet into a set: its own, or that of one which is not larger.
-  void Hang(std::uint32_t i, std::uint32_t below) noexcept { SetParent(i, below); }
 
   std::uint32_t Root(std::uint32_t i) noexcept {
     for (std::uint32_t above = Parent(i); above != i; above = Parent(i)) {
@@ -49,10 +42,6 @@ class UnionFind {
   }
 
  private:
-  using Memory = std::unique_ptr<std::uint32_t[]>;
-
-  explicit UnionFind(Memory parent) : parent_(std::move(parent)) {}
-
   std::uint32_t Parent(std::uint32_t i) const noexcept {
     return std::atomic_ref(parent_[i]).load(std::memory_order_relaxed);
   }
@@ -60,7 +49,7 @@ class UnionFind {
     std::atomic_ref(parent_[i]).store(parent, std::memory_order_relaxed);
   }
 
-  Memory parent_;
+  std::unique_ptr<std::uint32_t[]> parent_;
 };
 
 }  // namespace lascaux

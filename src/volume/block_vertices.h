@@ -3,25 +3,20 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
-#include <utility>
 #include <vector>
 
-#include "base/union_find.h"
 #include "volume/surface_cells.h"
 
 namespace lascaux {
 
-/// The vertices of a block's crossed cells and of those one step beyond along x, y, z, and which of
-/// them quadrilaterals connect.
+/// The vertices of a block's crossed cells and of those one step beyond along x, y, z.
 class BlockVertices {
  public:
   /// Between cells along x, y, z.
   static constexpr std::array<std::size_t, 3> kStride = {81, 9, 1};
 
-  /// A vertex here is a small number, or kSeveral where its cell has more than one piece.
-  using Local = std::uint16_t;
-  static constexpr Local kSeveral = 0xFFFF;
+  /// In place of a cell's vertex where it has more than one piece.
+  static constexpr std::uint32_t kSeveral = 0xFFFFFFFF;
 
   BlockVertices(const SurfaceCells& cells, std::size_t block);
 
@@ -31,52 +26,24 @@ class BlockVertices {
   }
 
   /// Precondition: the cell at that place is crossed.
-  Local At(std::size_t place) const { return locals_[place]; }
-  std::uint32_t Vertex(Local local) const { return vertices_[local]; }
-  /// Those that are alone in their cells.
-  std::span<const std::uint32_t> Vertices() const { return {vertices_.data(), count_}; }
+  std::uint32_t At(std::size_t place) const { return vertices_[place]; }
 
-  /// Of vertices combined by "or": all others are below 1024.
-  static bool IsAnySeveral(int locals) { return locals == kSeveral; }
+  /// Is any of them kSeveral?
+  bool HasSeveral() const { return has_several_; }
 
   /// The vertex of the piece that crosses an edge (CellEdge) of the cell at a place.
   std::uint32_t VertexAtEdge(std::size_t place, std::size_t edge) const;
-
-  /// Connects vertices that are not in cells of several.
-  void Join(Local a, Local b) {
-    if (parent_[a] == parent_[b]) return;
-    a = Root(a);
-    b = Root(b);
-    parent_[a < b ? b : a] = a < b ? a : b;
-  }
-
-  /// Tells all of the block's vertices what they are connected with in here; returns pairs that
-  /// are connected beyond.
-  void Tell(UnionFind& sets, std::vector<std::array<std::uint32_t, 2>>& pairs);
 
  private:
   static constexpr std::size_t kPlaces = 9 * 9 * 9;
 
   void AddOwn();
   void AddBeyond(std::size_t side);
-  Local Add(std::uint32_t vertex) {
-    const auto local = static_cast<Local>(count_);
-    vertices_[count_] = vertex;
-    parent_[count_++] = local;
-    return local;
-  }
-  Local Root(Local local) {
-    while (parent_[local] != local) local = parent_[local] = parent_[parent_[local]];
-    return local;
-  }
 
   const SurfaceCells& cells_;
   std::size_t block_;
-  std::size_t own_ = 0, count_ = 0;
-  std::array<Local, kPlaces> locals_;
-  std::array<std::uint32_t, kPlaces>
-      vertices_;                       // of those that are alone in their cells, own first
-  std::array<Local, kPlaces> parent_;  // not larger
+  bool has_several_ = false;
+  std::array<std::uint32_t, kPlaces> vertices_;  // of crossed cells; others are unset
 };
 
 }  // namespace lascaux

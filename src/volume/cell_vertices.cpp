@@ -5,128 +5,162 @@
 #include <cstring>
 
 #include "volume/finish_band.h"
+#include "volume/four.h"
 
 namespace lascaux {
 namespace {
 
 using Eigen::Vector3f;
 
-/// An edge's four places across an axis, in the notation that g++ and clang share.
-using Four [[gnu::vector_size(16)]] = float;
+/// Four cells at a time.
+constexpr std::size_t kLanes = 4;
+using Doubles [[gnu::vector_size(8 * kLanes)]] = double;
 
-/// What is known of a cell with one piece from its corners' signs.
-struct OnePiece {
-  std::array<Four, 3> crossed{};  ///< 1 where an edge is, 0 elsewhere, for each axis
-  Four places{};                  ///< sum of the places across of all edges that are crossed
-  float count = 1;                ///< of them
-};
-
-constexpr std::array<OnePiece, 256> MakeOnePieces() {
-  std::array<OnePiece, 256> table;
-  for (int signs = 0; signs < 256; ++signs) {
-    OnePiece& piece = table[static_cast<std::size_t>(signs)];
-    int count = 0;
-    std::array<int, 3> sum{};
-    for (int axis = 0; axis < 3; ++axis) {
-      std::array<float, 4> crossed{};
-      const int along_u = (axis + 1) % 3, along_w = (axis + 2) % 3;
-      for (int place = 0; place < 4; ++place) {
-        const int u = place & 1, w = place >> 1, start = u << along_u | w << along_w;
-        if (((signs >> start ^ signs >> (start | 1 << axis)) & 1) == 0) continue;
-        crossed[static_cast<std::size_t>(place)] = 1;
-        sum[static_cast<std::size_t>(along_u)] += u;
-        sum[static_cast<std::size_t>(along_w)] += w;
-        ++count;
-      }
-      piece.crossed[static_cast<std::size_t>(axis)] =
-          Four{crossed[0], crossed[1], crossed[2], crossed[3]};
-    }
-    piece.places =
-        Four{static_cast<float>(sum[0]), static_cast<float>(sum[1]), static_cast<float>(sum[2]), 0};
-    piece.count = static_cast<float>(std::max(count, 1));
-  }
-  return table;
+constexpr std::size_t CornerOf(std::size_t axis, std::size_t along, std::size_t u, std::size_t w) {
+  return along << axis | u << (axis + 1) % 3 | w << (axis + 2) % 3;
 }
 
-const std::array<OnePiece, 256> kOnePieces = MakeOnePieces();
+/// The distances at the corners of four cells, without sign, in the order of CellSigns.
+using CellCorners = std::array<Four, 8>;
 
-/// Distances at a cell's corners with z = 0 and 1, in the order (x, y) = 00, 10, 01, 11.
-struct CellCorners {
-  Four low, high;
+LASCAUX_INLINE Four TwoAndTwo(const float* a, const float* b) {
+  using Pairs [[gnu::vector_size(16)]] = double;  // by halves, each of two floats
+  std::array<double, 2> pairs;
+  std::memcpy(&pairs[0], a, sizeof(double));
+  std::memcpy(&pairs[1], b, sizeof(double));
+  const Pairs both = {pairs[0], pairs[1]};
+  Four four;
+  std::memcpy(&four, &both, sizeof four);
+  return four;
+}
 
-  /// At the starts and the ends of the edges along an axis, in the order of CellEdge.
-  Four Starts(std::size_t axis) const {
-    if (axis == 0) return __builtin_shufflevector(low, high, 0, 2, 4, 6);
-    return axis == 1 ? __builtin_shufflevector(low, high, 0, 4, 1, 5) : low;
-  }
-  Four Ends(std::size_t axis) const {
-    if (axis == 0) return __builtin_shufflevector(low, high, 1, 3, 5, 7);
-    return axis == 1 ? __builtin_shufflevector(low, high, 2, 6, 3, 7) : high;
-  }
+LASCAUX_INLINE Four AtLeast(float least, Four a) { return a < least ? Four{} + least : a; }
+
+/// What a cell's crossings along an axis add to the mean: the sum of their places there, and how
+/// many there are of those with u = 1, w = 1 and of all.
+struct Along {
+  Four sum;
+  FourInts beyond_u, beyond_w, count;
 };
+
+template <std::size_t kAxis>
+LASCAUX_INLINE Along CrossingsAlong(const CellCorners& corners, const FourInts& signs) {
+  const FourInts changes =
+      signs ^ (signs >> (1 << kAxis));  // bit of the corner that an edge starts at
+  std::array<Four, 4> crossings;
+  std::array<FourInts, 4> is_crossed;
+  for (std::size_t place = 0; place < 4; ++place) {
+    const std::size_t start = CornerOf(kAxis, 0, place & 1, place >> 1);
+    const Four from = corners[start], crossing = from / (from + corners[start | 1U << kAxis]);
+    const auto bit = static_cast<std::int32_t>(1U << start);
+    is_crossed[place] = (changes & bit) == bit;
+    crossings[place] = Where(is_crossed[place], crossing);
+  }
+  const FourInts beyond_u = is_crossed[1] + is_crossed[3];
+  return {(crossings[0] + crossings[1]) + (crossings[2] + crossings[3]), -beyond_u,
+          -(is_crossed[2] + is_crossed[3]), -(beyond_u + is_crossed[0] + is_crossed[2])};
+}
+
+/// Means of the crossings of four cells.
+LASCAUX_INLINE FourPoints MeansOf(const CellCorners& corners, const FourInts& signs) {
+  const Along x = CrossingsAlong<0>(corners, signs), y = CrossingsAlong<1>(corners, signs),
+              z = CrossingsAlong<2>(corners, signs);
+  const Four count = __builtin_convertvector(x.count + y.count + z.count, Four);
+  // Along y, u is z and w is x.
+  return {(x.sum + __builtin_convertvector(y.beyond_w + z.beyond_u, Four)) / count,
+          (y.sum + __builtin_convertvector(x.beyond_u + z.beyond_w, Four)) / count,
+          (z.sum + __builtin_convertvector(x.beyond_w + y.beyond_u, Four)) / count};
+}
 
 }  // namespace
 
-CellVertices::CellVertices(const NarrowBand& band, const BlocksAbove& above)
-    : least_(kLeastDistance * static_cast<float>(band.voxel_size)) {
+CellVertices::CellVertices(const NarrowBand& band, const SurfaceCells& cells, std::size_t block,
+                           const BlockValues& missing)
+    : voxel_size_(band.voxel_size),
+      origin_(band.origin),
+      lowest_(band.blocks[block].cast<double>()),
+      least_(kLeastDistance * static_cast<float>(band.voxel_size)) {
+  std::array<const float*, 8> values;
   for (std::size_t side = 0; side < 8; ++side) {
-    if (above[side] == kNoBlock) missing_.fill(band.background);
-    values_[side] = above[side] == kNoBlock
-                        ? missing_.data()
-                        : band.values.data() + kBlockVoxels * static_cast<std::size_t>(above[side]);
+    const std::int32_t found = cells.above[block][side];
+    values[side] = found == kNoBlock
+                       ? missing.data()
+                       : band.values.data() + kBlockVoxels * static_cast<std::size_t>(found);
+  }
+  const VoxelMask& crossed = cells.crossed[block];
+  for (std::size_t x = 0; x <= 8; ++x) {
+    if ((x < 8 ? crossed[x] : 0) == 0 && (x > 0 ? crossed[x - 1] : 0) == 0) continue;
+    const std::size_t beyond = x / 8, voxel = 64 * (x % 8);
+    float* line = values_.data() + kStride[0] * x;
+    const auto copy = [&](const float* from, const float* behind) {
+      std::memcpy(line, from, 8 * sizeof(float));
+      line[8] = *behind;
+      line += kStride[1];
+    };
+    for (std::size_t y = 0; y < 8; ++y)
+      copy(values[beyond] + voxel + 8 * y, values[beyond | 4] + voxel + 8 * y);
+    copy(values[beyond | 2] + voxel, values[beyond | 6] + voxel);
   }
 }
 
-std::array<CellVertices::Four, 3> CellVertices::CrossingsOf(std::size_t cell) const {
-  const auto step = [cell](std::size_t stride) -> std::size_t {
-    return cell / stride % 8 == 7 ? std::size_t{0} - 7 * stride : stride;
-  };
-  const std::size_t x = step(64), y = step(8), z = step(1);
-  const std::size_t beyond_x = x == 64 ? 0 : 1, beyond_y = y == 8 ? 0 : 2,
-                    beyond_z = z == 1 ? 0 : 4;
-  const auto at = [&](std::size_t side, std::size_t voxel) { return values_[side][voxel]; };
-  const auto layer = [&](std::size_t side, std::size_t voxel) {
-    const Four values = {at(side, voxel), at(side + beyond_x, voxel + x),
-                         at(side + beyond_y, voxel + y),
-                         at(side + beyond_x + beyond_y, voxel + x + y)};
-    const Four sizes = values < 0 ? -values : values;
-    return sizes < least_ ? Four{} + least_ : sizes;
-  };
-  const CellCorners corners{layer(0, cell), layer(beyond_z, cell + z)};
-  std::array<Four, 3> crossings;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    // The two are on different sides.
-    const Four start = corners.Starts(axis);
-    crossings[axis] = start / (start + corners.Ends(axis));
+void CellVertices::PlaceMeans(std::span<const std::uint16_t> cells, const CellSigns* signs,
+                              const PlacedVertices& to) const {
+  const Doubles lowest_x = Doubles{} + lowest_.x(), lowest_y = Doubles{} + lowest_.y(),
+                lowest_z = Doubles{} + lowest_.z();
+  for (std::size_t at = 0; at < cells.size(); at += kLanes) {
+    const std::size_t count = std::min(cells.size() - at, kLanes);
+    FourInts cell{}, sign{};
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      const std::size_t k = at + std::min(i, count - 1);
+      cell[i] = cells[k];
+      sign[i] = signs[k];
+    }
+    const FourInts x = cell >> 6, y = cell >> 3 & 7, z = cell & 7;
+    const FourInts place = 81 * x + 9 * y + z;
+    CellCorners corners;
+    for (std::size_t xy = 0; xy < 4; ++xy) {
+      const float* const from = values_.data() + kStride[0] * (xy & 1) + kStride[1] * (xy >> 1);
+      const Four a = TwoAndTwo(from + place[0], from + place[1]);
+      const Four b = TwoAndTwo(from + place[2], from + place[3]);
+      corners[xy] = AtLeast(least_, Size(__builtin_shufflevector(a, b, 0, 2, 4, 6)));
+      corners[xy + 4] = AtLeast(least_, Size(__builtin_shufflevector(a, b, 1, 3, 5, 7)));
+    }
+    const FourPoints means = MeansOf(corners, sign);
+    Store(means, count, to.in_cell + at);
+    const auto in_model = [&](const Four& mean, const FourInts& in_block, const Doubles& lowest,
+                              int axis) {
+      const Doubles voxels = (lowest + __builtin_convertvector(in_block, Doubles)) +
+                             __builtin_convertvector(mean, Doubles);
+      return __builtin_convertvector(origin_[axis] + voxel_size_ * voxels, Four);
+    };
+    Store({in_model(means.x, x, lowest_x, 0), in_model(means.y, y, lowest_y, 1),
+           in_model(means.z, z, lowest_z, 2)},
+          count, to.in_model + at);
   }
-  return crossings;
-}
-
-Vector3f CellVertices::InOnePiece(std::size_t cell, CellSigns signs) const {
-  const std::array<Four, 3> crossings = CrossingsOf(cell);
-  const OnePiece& one = kOnePieces[signs];
-  Vector3f mean;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Four sums = crossings[axis] * one.crossed[axis];
-    mean[static_cast<int>(axis)] =
-        ((sums[0] + sums[1]) + (sums[2] + sums[3]) + one.places[axis]) / one.count;
-  }
-  return mean;
 }
 
 std::array<Vector3f, 4> CellVertices::In(std::size_t cell, const CellPieces& pieces) const {
-  const std::array<Four, 3> crossings = CrossingsOf(cell);
+  const float* const from =
+      values_.data() + kStride[0] * (cell / 64) + kStride[1] * (cell / 8 % 8) + cell % 8;
+  const auto distance = [&](std::size_t corner) {
+    const float value =
+        from[kStride[0] * (corner & 1) + kStride[1] * (corner >> 1 & 1) + (corner >> 2)];
+    return std::max(std::abs(value), least_);
+  };
   std::array<Vector3f, 4> means;
   std::array<float, 4> count{};
   for (std::size_t p = 0; p < pieces.count; ++p) means[p].setZero();
-  for (int axis = 0; axis < 3; ++axis) {
-    for (int place = 0; place < 4; ++place) {
-      const int u = place & 1, w = place >> 1;
-      const std::uint8_t piece = pieces.of_edge[CellEdge(axis, u, w)];
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t place = 0; place < 4; ++place) {
+      const std::size_t u = place & 1, w = place >> 1;
+      const std::uint8_t piece = pieces.of_edge[4 * axis + place];
       if (piece == kNotCrossed) continue;
-      means[piece][axis] += crossings[static_cast<std::size_t>(axis)][place];
-      means[piece][(axis + 1) % 3] += static_cast<float>(u);
-      means[piece][(axis + 2) % 3] += static_cast<float>(w);
+      const float start = distance(CornerOf(axis, 0, u, w)),
+                  end = distance(CornerOf(axis, 1, u, w));
+      const auto along = static_cast<int>(axis);
+      means[piece][along] += start / (start + end);
+      means[piece][(along + 1) % 3] += static_cast<float>(u);
+      means[piece][(along + 2) % 3] += static_cast<float>(w);
       count[piece] += 1;
     }
   }

@@ -1,30 +1,57 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
-#include <cstdint>
+
+#include "volume/four.h"
+
+/// @file
+/// Quadrilaterals around edges of a lattice, four at a time.
 
 namespace lascaux {
 
-/// Up to so many quadrilaterals around edges of a lattice, each seen along its edge: corner k
-/// beside the edge and above its lower end, in units of the lattice. The corners go round.
-struct SeenQuads {
-  static constexpr std::size_t kMost = 64;
-
-  struct Corners {
-    alignas(64) std::array<float, kMost> x, y, height;
-  };
-  std::array<Corners, 4> corners;
+/// Corners as they are seen along the edges: beside the edge and above its lower end, in units of
+/// the lattice.
+struct SeenCorners {
+  Four x, y, height;
 };
 
-/// For each of the first `count`, whether the diagonal from its first corner is the better one: the
-/// shorter one that keeps the quadrilateral within the envelope of its edge by `margin`, or the
-/// shorter one where none does. Others have no meaning.
-std::array<std::uint8_t, SeenQuads::kMost> CutFromFirst(const SeenQuads& quads, std::size_t count,
-                                                        float margin);
+LASCAUX_INLINE Four Cross(const SeenCorners& p, const SeenCorners& q) {
+  return p.x * q.y - p.y * q.x;
+}
 
-/// IsInEnvelope() of envelope.h in single precision, for corners in that order.
-std::array<std::uint8_t, SeenQuads::kMost> AreInEnvelope(const SeenQuads& d0_d1_a_b,
-                                                         std::size_t count, float margin);
+LASCAUX_INLINE Four Area(const SeenCorners& p, const SeenCorners& q, const SeenCorners& r) {
+  return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+}
+
+/// IsInEnvelope() of envelope.h in single precision.
+LASCAUX_INLINE FourInts AreInEnvelope(const std::array<SeenCorners, 4>& d0_d1_a_b, float margin) {
+  const auto& [d0, d1, a, b] = d0_d1_a_b;
+  const Four edge = Cross(d0, d1);
+  const FourInts takes_b = edge * Area(d0, d1, a) > 0;
+  const SeenCorners beyond = {takes_b ? b.x : a.x, takes_b ? b.y : a.y,
+                              takes_b ? b.height : a.height};
+  const Four area = Area(d0, d1, beyond);
+  const Four crossing =
+      Cross(d1, beyond) * d0.height + Cross(beyond, d0) * d1.height + edge * beyond.height;
+  const Four above = area > 0 ? crossing : -crossing;
+  return (Size(edge) > margin) & (Size(area) > margin) & (area * edge <= 0) & (above > margin) &
+         (above < Size(area) - margin);
+}
+
+LASCAUX_INLINE Four SquaredLength(const SeenCorners& a, const SeenCorners& b) {
+  const Four x = a.x - b.x, y = a.y - b.y, height = a.height - b.height;
+  return x * x + y * y + height * height;
+}
+
+/// Is the diagonal from the first corner the better one? That is the shorter one that keeps the
+/// quadrilateral within the envelope of its edge by `margin`, or the shorter one where none does.
+/// The corners go round.
+LASCAUX_INLINE FourInts AreCutFromFirst(const std::array<SeenCorners, 4>& q, float margin) {
+  const FourInts first_is_shorter = SquaredLength(q[0], q[2]) <= SquaredLength(q[1], q[3]);
+  const FourInts first_is_good = AreInEnvelope({q[0], q[2], q[1], q[3]}, margin);
+  const FourInts second_is_good = AreInEnvelope({q[1], q[3], q[2], q[0]}, margin);
+  return (first_is_shorter & (first_is_good | ~second_is_good)) |
+         (~first_is_shorter & first_is_good & ~second_is_good);
+}
 
 }  // namespace lascaux

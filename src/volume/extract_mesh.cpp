@@ -10,12 +10,11 @@
 #include <optional>
 
 #include "volume/arena.h"
-#include "volume/block_vertices.h"
+#include "volume/block_quads.h"
+#include "volume/cell_shells.h"
 #include "volume/cell_vertices.h"
-#include "volume/diagonals.h"
 #include "volume/onto_surface.h"
 #include "volume/shells.h"
-#include "volume/sign_planes.h"
 #include "volume/surface_cells.h"
 
 namespace lascaux {
@@ -23,17 +22,8 @@ namespace {
 
 using Eigen::Vector3f;
 
-// By how much of a voxel a quadrilateral stays within reach of its edge before its vertices are
-// rounded to their places in the model.
-constexpr float kEnvelopeMargin = 1e-3F;
-
 // How near to its cell's sides a vertex is moved, in voxels.
 constexpr float kLeastInCell = 1e-3F;
-
-/// The sides of a quadrilateral's two triangles in its corners, cut from the first corner or not,
-/// and around an edge that starts inside or not: they are seen from outside.
-constexpr std::array<std::array<std::array<std::uint8_t, 6>, 2>, 2> kTriangles = {
-    {{{{0, 3, 1, 3, 2, 1}, {0, 1, 3, 1, 2, 3}}}, {{{0, 3, 2, 0, 2, 1}, {0, 1, 2, 0, 2, 3}}}}};
 
 /// Where the vertices go: onto the field's surface, if there is one, in some cells or in all.
 struct Target {
@@ -49,16 +39,15 @@ struct Target {
 class Extraction {
  public:
   Extraction(const NarrowBand& band, const Target& target)
-      : band_(band),
-        target_(target),
-        cells_(FindSurfaceCells(band)),
-        shells_(UnionFind::Unset(cells_.first_vertex.back())) {}
+      : band_(band), target_(target), cells_(FindSurfaceCells(band)) {
+    missing_.fill(band.background);
+  }
 
   Outcome<Mesh> Run() {
     const std::size_t vertices = cells_.first_vertex.back(), quads = cells_.first_quad.back();
     mesh_.vertices.resize(vertices);
     mesh_.triangles.resize(2 * quads);
-    in_cell_.resize(vertices);
+    in_cell_.resize(vertices + 1);
     if (target_.field != nullptr) mesh_.outward.resize(vertices);
     tbb::parallel_for(std::size_t{0}, band_.size(), [this](std::size_t b) {
       if (cells_.IsEmpty(b)) return;
@@ -68,28 +57,50 @@ class Extraction {
     tbb::parallel_for(std::size_t{0}, band_.size(), [this](std::size_t b) {
       if (!cells_.IsEmpty(b)) ConnectVertices(b);
     });
-    JoinShells();
     return KeepBody();
   }
 
  private:
-  using Pairs = std::vector<std::array<std::uint32_t, 2>>;
+  /// Asks for the distances that a block's vertices will be placed by.
+  void Prefetch(std::size_t block) const {
+    if (block >= band_.size()) return;
+    for (const std::size_t side : {0, 4}) {
+      const std::int32_t found = cells_.above[block][side];
+      if (found == kNoBlock) continue;
+      const float* const values =
+          band_.values.data() + kBlockVoxels * static_cast<std::size_t>(found);
+      for (std::size_t x = 0; x < 8; ++x) {
+        if (cells_.crossed[block][x] == 0) continue;
+        for (std::size_t i = 0; i < 64; i += 16) __builtin_prefetch(values + 64 * x + i);
+      }
+    }
+  }
 
   void PlaceVertices(std::size_t block) {
-    const CellVertices vertices(band_, cells_.above[block]);
-    const bool is_single = cells_.HasSinglePieces(block);
-    std::uint32_t vertex = cells_.first_vertex[block];
-    cells_.ForCells(block, [&](std::size_t cell, std::size_t number) {
-      const CellSigns signs = cells_.signs[number];
-      const CellPieces& pieces = is_single ? PiecesJoined(signs) : cells_.Pieces(number);
-      if (pieces.count == 1) {
-        SetVertex(vertex++, block, InBlock(cell), vertices.InOnePiece(cell, signs));
-        return;
-      }
-      const std::array<Vector3f, 4> means = vertices.In(cell, pieces);
-      for (std::size_t p = 0; p < pieces.count; ++p)
-        SetVertex(vertex++, block, InBlock(cell), means[p]);
+    Prefetch(block + 2);
+    const CellVertices vertices(band_, cells_, block, missing_);
+    std::array<std::uint16_t, kBlockVoxels> cells;
+    std::size_t count = 0;
+    cells_.ForCells(block, [&](std::size_t cell, std::size_t) {
+      cells[count++] = static_cast<std::uint16_t>(cell);
     });
+    const std::size_t first = cells_.first_vertex[block];
+    const CellSigns* const signs = cells_.signs.data() + cells_.first[block];
+    const PlacedVertices to{in_cell_.data() + first, mesh_.vertices.data() + first};
+    vertices.PlaceMeans({cells.data(), count}, signs, to);
+    if (cells_.HasSinglePieces(block)) return;
+    // Cells with several pieces have more vertices, which those behind make room for.
+    std::size_t vertex = cells_.first_vertex[block + 1];
+    for (std::size_t i = count; i-- > 0;) {
+      const CellPieces& pieces = cells_.Pieces(cells_.first[block] + i);
+      vertex -= pieces.count;
+      in_cell_[vertex] = in_cell_[first + i];
+      mesh_.vertices[vertex] = mesh_.vertices[first + i];
+      if (pieces.count == 1) continue;
+      const std::array<Vector3f, 4> means = vertices.In(cells[i], pieces);
+      for (std::size_t p = 0; p < pieces.count; ++p)
+        SetVertex(vertex + p, block, InBlock(cells[i]), means[p]);
+    }
   }
 
   /// Moves vertices that are alone in their cells onto the field's surface, within their cells.
@@ -132,106 +143,22 @@ class Extraction {
         (band_.origin + band_.voxel_size * (lowest + in_cell.cast<double>())).cast<float>();
   }
 
-  /// Quadrilaterals that wait for their diagonals.
-  struct Waiting {
-    SeenQuads seen;
-    std::array<std::array<std::uint32_t, 4>, SeenQuads::kMost> vertices;
-    std::array<std::uint8_t, SeenQuads::kMost> starts_inside;
-    std::size_t first, count = 0;
-  };
-
   void ConnectVertices(std::size_t block) {
-    BlockVertices around(cells_, block);
-    for (const std::uint32_t v : around.Vertices()) __builtin_prefetch(in_cell_.data() + v);
-    Pairs& pairs = pairs_.local();
-    Waiting waiting;
-    waiting.first = cells_.first_quad[block];
-    ForLayers(cells_, block, [&](std::size_t x, const SignPlanes& low, const SignPlanes& high) {
-      const std::array<UpperEdges, 3> edges = UpperEdgesOf(low, high);
-      const auto add = [&]<int kAxis>(const UpperEdges& along) {
-        for (std::uint64_t word = along.crossed; word != 0; word &= word - 1) {
-          const auto i = static_cast<std::size_t>(std::countr_zero(word));
-          const std::size_t place = BlockVertices::PlaceOf(64 * x + i);
-          waiting.starts_inside[waiting.count] = along.starts_inside >> i & 1;
-          AddQuad<kAxis>(around, place, waiting, pairs);
-        }
-      };
-      add.template operator()<0>(edges[0]);
-      add.template operator()<1>(edges[1]);
-      add.template operator()<2>(edges[2]);
-    });
-    Cut(waiting);
-    around.Tell(shells_, pairs);
-  }
-
-  /// The quadrilateral around the edge along an axis that ends in the upper corner of the cell at
-  /// a place.
-  template <int kAxis>
-  void AddQuad(BlockVertices& around, std::size_t place, Waiting& waiting, Pairs& pairs) {
-    constexpr std::size_t kU = BlockVertices::kStride[(kAxis + 1) % 3];
-    constexpr std::size_t kW = BlockVertices::kStride[(kAxis + 2) % 3];
-    // From the cell itself counter-clockwise, seen from where the axis points to.
-    const std::array<std::size_t, 4> places = {place, place + kU, place + kU + kW, place + kW};
-    using Local = BlockVertices::Local;
-    const Local a = around.At(places[0]), b = around.At(places[1]), c = around.At(places[2]),
-                d = around.At(places[3]);
-    std::array<std::uint32_t, 4>& vertices = waiting.vertices[waiting.count];
-    if (!BlockVertices::IsAnySeveral(a | b | c | d)) {
-      vertices = {around.Vertex(a), around.Vertex(b), around.Vertex(c), around.Vertex(d)};
-      around.Join(a, b);
-      around.Join(a, c);
-      around.Join(a, d);
-    } else {
-      // The edge is the upper one of its cell, and the lower one of those beyond.
-      constexpr std::array<std::size_t, 4> kEdges = {CellEdge(kAxis, 1, 1), CellEdge(kAxis, 0, 1),
-                                                     CellEdge(kAxis, 0, 0), CellEdge(kAxis, 1, 0)};
-      for (std::size_t k = 0; k < 4; ++k) vertices[k] = around.VertexAtEdge(places[k], kEdges[k]);
-      for (std::size_t k = 1; k < 4; ++k) pairs.push_back({vertices[0], vertices[k]});
-    }
-    SeeCorner<kAxis, 0, -1, -1>(vertices[0], waiting);
-    SeeCorner<kAxis, 1, 0, -1>(vertices[1], waiting);
-    SeeCorner<kAxis, 2, 0, 0>(vertices[2], waiting);
-    SeeCorner<kAxis, 3, -1, 0>(vertices[3], waiting);
-    if (++waiting.count == SeenQuads::kMost) Cut(waiting);
-  }
-
-  template <int kAxis, std::size_t kCorner, int kX, int kY>
-  void SeeCorner(std::uint32_t vertex, Waiting& waiting) const {
-    const float* const at = in_cell_[vertex].data();
-    SeenQuads::Corners& seen = waiting.seen.corners[kCorner];
-    seen.x[waiting.count] = at[(kAxis + 1) % 3] + static_cast<float>(kX);
-    seen.y[waiting.count] = at[(kAxis + 2) % 3] + static_cast<float>(kY);
-    seen.height[waiting.count] = at[kAxis];
-  }
-
-  /// Cuts what waits into triangles.
-  void Cut(Waiting& waiting) {
-    const auto from_first = CutFromFirst(waiting.seen, waiting.count, kEnvelopeMargin);
-    for (std::size_t i = 0; i < waiting.count; ++i) {
-      const std::array<std::uint32_t, 4>& q = waiting.vertices[i];
-      const std::array<std::uint8_t, 6>& of = kTriangles[from_first[i]][waiting.starts_inside[i]];
-      auto* const triangles = mesh_.triangles.data() + 2 * (waiting.first + i);
-      triangles[0] = {q[of[0]], q[of[1]], q[of[2]]};
-      triangles[1] = {q[of[3]], q[of[4]], q[of[5]]};
-    }
-    waiting.first += waiting.count;
-    waiting.count = 0;
-  }
-
-  void JoinShells() {
-    pairs_.combine_each([this](const Pairs& pairs) {
-      tbb::parallel_for(std::size_t{0}, pairs.size(),
-                        [&](std::size_t i) { shells_.Join(pairs[i][0], pairs[i][1]); });
-    });
+    const VertexPairs pairs = ConnectAroundEdges(
+        cells_, block,
+        {in_cell_.data(), mesh_.triangles.data() + 2 * std::size_t{cells_.first_quad[block]}});
+    if (pairs.empty()) return;
+    VertexPairs& all = pairs_.local();
+    all.insert(all.end(), pairs.begin(), pairs.end());
   }
 
   Outcome<Mesh> KeepBody() {
-    const auto vertices = static_cast<std::uint32_t>(mesh_.vertices.size());
-    std::uint32_t v = 1;
-    while (v < vertices && !shells_.IsRoot(v)) ++v;
+    VertexPairs pairs;
+    pairs_.combine_each(
+        [&](const VertexPairs& some) { pairs.insert(pairs.end(), some.begin(), some.end()); });
     // A single shell is a body where what is beyond its farthest cell is outside.
-    if (v >= vertices && vertices > 0 && IsOutsideBeyond()) return Outcome<Mesh>(std::move(mesh_));
-    return KeepLargestShell(std::move(mesh_), band_.voxel_size, shells_);
+    if (IsOneShell(cells_, pairs) && IsOutsideBeyond()) return Outcome<Mesh>(std::move(mesh_));
+    return KeepLargestShell(std::move(mesh_), band_.voxel_size);
   }
 
   bool IsOutsideBeyond() const {
@@ -248,8 +175,8 @@ class Extraction {
   const NarrowBand& band_;
   Target target_;
   SurfaceCells cells_;
-  UnionFind shells_;
-  tbb::combinable<Pairs> pairs_;  // of vertices that are connected, beside those in one block
+  BlockValues missing_;
+  tbb::combinable<VertexPairs> pairs_;
   Mesh mesh_;
   std::vector<Vector3f> in_cell_;
 };

@@ -1,8 +1,10 @@
 #include "volume/lattice_quads.h"
 
 #include <algorithm>
+#include <cstring>
 #include <optional>
 
+#include "volume/diagonals.h"
 #include "volume/envelope.h"
 
 namespace lascaux {
@@ -47,7 +49,7 @@ void LatticeQuads::Look(std::size_t first, std::size_t count) {
   JoinHalves(first, count);
   PlaceCorners(count);
   for (std::size_t i = 0; i < count; ++i) FindEdge(i);
-  in_envelope_ = AreInEnvelope(seen_, count, kMargin);
+  FindInEnvelope(count);
   // Where the surface is flat, diagonals often run straight through their edges.
   for (std::size_t i = 0; i < count; ++i)
     if (in_envelope_[i] == 0 && IsAroundEdge(i)) in_envelope_[i] = IsFinelyInEnvelope(i) ? 1 : 0;
@@ -93,6 +95,22 @@ void LatticeQuads::PlaceCorners(std::size_t count) {
   }
 }
 
+void LatticeQuads::FindInEnvelope(std::size_t count) {
+  for (std::size_t i = 0; i < count; i += 4) {
+    std::array<SeenCorners, 4> q;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto load = [i](const std::array<float, kMost>& from) {
+        Four four;
+        std::memcpy(&four, from.data() + i, sizeof four);
+        return four;
+      };
+      q[k] = {load(seen_[k].x), load(seen_[k].y), load(seen_[k].height)};
+    }
+    const FourInts are = AreInEnvelope(q, kMargin);
+    for (std::size_t j = 0; j < 4; ++j) in_envelope_[i + j] = are[j] != 0 ? 1 : 0;
+  }
+}
+
 bool LatticeQuads::IsFinelyInEnvelope(std::size_t i) const {
   const int axis = axis_[i], u = (axis + 1) % 3, w = (axis + 2) % 3;
   std::array<SeenCorner, 4> seen;
@@ -127,9 +145,9 @@ void LatticeQuads::FindEdge(std::size_t i) {
     quadrant_[k][i] = static_cast<std::uint8_t>(beyond_u + 2 * beyond_w);
     all |= 1U << quadrant_[k][i];
     // The edge is where the lower cell ends.
-    seen_.corners[k].x[i] = at_[k][u][i] + static_cast<float>(beyond_u - 1);
-    seen_.corners[k].y[i] = at_[k][w][i] + static_cast<float>(beyond_w - 1);
-    seen_.corners[k].height[i] = at_[k][axis][i];
+    seen_[k].x[i] = at_[k][u][i] + static_cast<float>(beyond_u - 1);
+    seen_[k].y[i] = at_[k][w][i] + static_cast<float>(beyond_w - 1);
+    seen_[k].height[i] = at_[k][axis][i];
   }
   if (all != 0xF) return;
   axis_[i] = axis;

@@ -8,7 +8,6 @@
 #include "lascaux/volume/check_mesh.h"
 #include "lascaux/volume/mesh.h"
 #include "volume/cell_table.h"
-#include "volume/diagonals.h"
 
 /// @file
 /// The quadrilaterals of a dual mesh, as the lattice sees them.
@@ -66,7 +65,7 @@ class LatticeCells {
 /// d0 to d1.
 class LatticeQuads {
  public:
-  static constexpr std::size_t kMost = SeenQuads::kMost;
+  static constexpr std::size_t kMost = 64;
 
   LatticeQuads(const Mesh& mesh, const LatticeCells& cells) : mesh_(mesh), cells_(cells) {}
 
@@ -99,6 +98,7 @@ class LatticeQuads {
   void JoinHalves(std::size_t first, std::size_t count);
   void PlaceCorners(std::size_t count);
   void FindEdge(std::size_t i);
+  void FindInEnvelope(std::size_t count);
   bool IsFinelyInEnvelope(std::size_t i) const;
 
   const Mesh& mesh_;
@@ -110,7 +110,11 @@ class LatticeQuads {
   std::array<std::int32_t, kMost> is_whole_;  // joined, and strictly inside of cells
   std::array<std::uint8_t, kMost> axis_, starts_inside_, in_envelope_;
   std::array<std::array<std::uint8_t, kMost>, 4> quadrant_;  // 1 beyond along u, 2 along w
-  SeenQuads seen_;
+  /// Corners as seen along their edges.
+  struct Seen {
+    alignas(16) std::array<float, kMost> x, y, height;
+  };
+  std::array<Seen, 4> seen_;
 };
 
 }  // namespace lascaux

@@ -117,10 +117,6 @@ Outcome<Mesh> KeepLargestShell(Mesh mesh, double voxel) {
     sets.Join(t[0], t[1]);
     sets.Join(t[0], t[2]);
   });
-  return KeepLargestShell(std::move(mesh), voxel, sets);
-}
-
-Outcome<Mesh> KeepLargestShell(Mesh mesh, double voxel, UnionFind& sets) {
   const Shells found = FindShells(mesh, sets);
   const auto largest =
       std::max_element(found.shells.begin(), found.shells.end(),

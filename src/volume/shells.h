@@ -1,6 +1,5 @@
 #pragma once
 
-#include "base/union_find.h"
 #include "lascaux/base/outcome.h"
 #include "lascaux/volume/mesh.h"
 
@@ -11,8 +10,5 @@ namespace lascaux {
 /// note for those no larger than two voxels of edge `voxel`. Error "empty-mesh" where no shell has
 /// a positive volume.
 Outcome<Mesh> KeepLargestShell(Mesh mesh, double voxel);
-
-/// The same where the vertices of each shell are joined in `sets` already.
-Outcome<Mesh> KeepLargestShell(Mesh mesh, double voxel, UnionFind& sets);
 
 }  // namespace lascaux

@@ -86,27 +86,25 @@ TEST(CellTable, EveryPieceIsOneRound) {
   }
 }
 
-TEST(CutFromFirst, TakesTheShorterDiagonalThatStaysInTheEnvelope) {
+TEST(AreCutFromFirst, TakesTheShorterDiagonalThatStaysInTheEnvelope) {
   constexpr double kMargin = 1e-3, kRounding = 1e-5;
   std::mt19937 random(3);
   std::uniform_real_distribution<float> uniform(0, 1);
   int longer = 0;
-  for (int round = 0; round < 200; ++round) {
-    SeenQuads quads;
+  for (int round = 0; round < 3200; ++round) {
+    std::array<SeenCorners, 4> quads;
     for (std::size_t k = 0; k < 4; ++k) {
-      for (std::size_t i = 0; i < SeenQuads::kMost; ++i) {
-        quads.corners[k].x[i] = uniform(random) - (k == 1 || k == 2 ? 0.0F : 1.0F);
-        quads.corners[k].y[i] = uniform(random) - (k >= 2 ? 0.0F : 1.0F);
-        quads.corners[k].height[i] = uniform(random);
+      for (int i = 0; i < 4; ++i) {
+        quads[k].x[i] = uniform(random) - (k == 1 || k == 2 ? 0.0F : 1.0F);
+        quads[k].y[i] = uniform(random) - (k >= 2 ? 0.0F : 1.0F);
+        quads[k].height[i] = uniform(random);
       }
     }
-    const auto cuts = CutFromFirst(quads, SeenQuads::kMost, static_cast<float>(kMargin));
-    for (std::size_t i = 0; i < SeenQuads::kMost; ++i) {
+    const FourInts cuts = AreCutFromFirst(quads, static_cast<float>(kMargin));
+    for (int i = 0; i < 4; ++i) {
       std::array<SeenCorner, 4> q;
-      for (std::size_t k = 0; k < 4; ++k) {
-        const SeenQuads::Corners& c = quads.corners[k];
-        q[k] = {double{c.x[i]}, double{c.y[i]}, double{c.height[i]}};
-      }
+      for (std::size_t k = 0; k < 4; ++k)
+        q[k] = {double{quads[k].x[i]}, double{quads[k].y[i]}, double{quads[k].height[i]}};
       const auto is_good = [&q](bool from_first, double margin) {
         return from_first ? IsInEnvelope({q[0], q[2], q[1], q[3]}, margin)
                           : IsInEnvelope({q[1], q[3], q[2], q[0]}, margin);
