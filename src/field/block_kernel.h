@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "lattice_scheme.h"
+
 /// @file
 /// What the vector code gets and gives: plain structs and pointers, since it is compiled once for
 /// each instruction set and must not share an inline function with code that is not.
@@ -14,12 +16,6 @@ inline constexpr int kTile = 64;
 
 /// A tile that is not full is filled up to a multiple of this: the widest vector.
 inline constexpr int kGroup = 16;
-
-/// Points of a block's lattice along each axis, and those of them that it is interpolated from:
-/// kTile in all three. Near Chebyshev's for polynomials of degree 3.
-inline constexpr int kLatticeSide = 8;
-inline constexpr int kLatticePoints = kLatticeSide * kLatticeSide * kLatticeSide;
-inline constexpr int kLatticeNodes[4] = {0, 2, 5, 7};
 
 /// Primitives whose bounds are computed together.
 inline constexpr int kBoundTile = 16;
@@ -119,22 +115,29 @@ struct alignas(64) KernelPoints {
   int count;
 };
 
-/// Points of a lattice that are not interpolated from its nodes alone: so many off the nodes along
-/// x, then y, then z, then along all three.
-inline constexpr int kChecksAWay = 8;
-inline constexpr int kLatticeChecks = 4 * kChecksAWay;
-
-/// A block's lattice, z fastest.
+/// A block's lattice, z fastest, with steps of length 1.
 struct KernelLattice {
-  KernelPoints nodes, checks;
-  int check_at[kLatticeChecks];  ///< which of the lattice's points
-  KernelPoints columns;          ///< the places in the plane, each for a line of the lattice
+  int side;               ///< of the scheme that it is interpolated by
+  KernelPoints tiles[2];  ///< the scheme's nodes and checks; the second may be empty
+  KernelPoints columns;   ///< the places in the plane, each for a line of the lattice
 };
 
 /// Values on a lattice, layer by layer along x, with what they may be off by.
 struct KernelLatticeValues {
   KernelSamples layer[kLatticeSide];
   float error;
+};
+
+/// Which of a lattice's points are inside is asked.
+struct KernelLatticeQuestion {
+  const KernelLattice* lattice;
+  float step;
+  float least_error;  ///< that interpolated values are taken to be off by
+};
+
+/// One bit a point, one word a layer: inside, or too near to the surface to tell.
+struct KernelLatticeSides {
+  std::uint64_t inside[kLatticeSide], unsure[kLatticeSide];
 };
 
 /// kBoundTile segments seen from the centre of a ball each, lengths in units of their larger radii.
@@ -159,9 +162,10 @@ struct BlockKernel {
   /// F and its gradient.
   void (*samples)(const KernelProgram&, const KernelPoints&, KernelSamples* slots,
                   KernelSamples* result);
-  /// F on a lattice: each chain's field interpolated, the rest as it is. `slots` as for values.
-  void (*lattice)(const KernelProgram&, const KernelLattice&, KernelLatticeValues* slots,
-                  KernelLatticeValues* result);
+  /// Sides of a lattice's points: each chain's field is interpolated, the rest as it is. `slots` as
+  /// for values.
+  void (*lattice)(const KernelProgram&, const KernelLatticeQuestion&, KernelLatticeValues* slots,
+                  KernelLatticeSides* sides);
   /// Bounds of each segment's field on its ball.
   void (*bounds)(const KernelBalls&, KernelBounds* bounds);
   /// Signed distances of a tile's samples, clamped to [-limit, limit].

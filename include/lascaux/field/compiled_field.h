@@ -133,9 +133,10 @@ class CompiledField {
   /// Which points of a lattice have F > 1, as EvaluateValues() tells them.
   ///
   /// Where no primitive is thinner than two steps, most of it is interpolated: each chain's field
-  /// by cubic polynomials from 64 points, while blends and gain are evaluated at each point. How
-  /// much that is off by is seen at 32 points more, and whatever is not further from 1 than twice
-  /// that is evaluated. Three to four times as fast as EvaluateValues() at all points.
+  /// by polynomials of degree 3 from 64 points, or of degree 2 from 27 where none is thinner than
+  /// eight; blends and gain are evaluated at each point. How much that is off by is seen at 32 or
+  /// 21 points more, and whatever is not further from 1 than some times that is evaluated. Four to
+  /// seven times as fast as EvaluateValues() at all points.
   LatticeBits FindInside(const LatticeBlock& lattice, const ActiveSet& active) const;
 
   /// F and its gradient at each point.
