@@ -3,30 +3,16 @@
 #include <cmath>
 #include <vector>
 
-#include "compiled_data.h"
+#include "ball_bounds.h"
 
 namespace lascaux {
 namespace {
 
+using internal::kAnything;
 using internal::kBoundTile;
 using internal::KernelBalls;
 using internal::KernelBounds;
-
-struct Range {
-  double lower, upper;
-};
-
-Range Ricci(const Range& a, const Range& b, const internal::RicciExponent& n) {
-  const auto blend = [&n](double x, double y) {
-    const double high = std::max(x, y);
-    return high > 0 ? high * n.Root(1 + n.Power(std::min(x, y) / high)) : 0;
-  };
-  return {blend(a.lower, b.lower), blend(a.upper, b.upper)};
-}
-
-/// What is known of a tip's last piece, whose field has no bound at the tip: more than any other
-/// field has.
-constexpr float kAnything = 1e4f;
+using internal::Range;
 
 /// A part that reaches the ball, with its own primitives in the list that is being made.
 struct Reached {
@@ -37,37 +23,6 @@ struct Reached {
   int parent = -1;
   bool matters = true;
 };
-
-/// A ball around all that a depth map makes of one: the smaller of two. What the map shifts and
-/// stretches by anywhere on the ball is known, which is close for large balls; and how fast that
-/// changes, which is close for small ones.
-Ball FlattenBall(const CompiledPart& part, const Ball& ball) {
-  const Eigen::Vector2d place = ball.center.head<2>(),
-                        reach = Eigen::Vector2d::Constant(ball.radius);
-  const auto map =
-      part.table->BoundsOn({Eigen::Vector2d(place - reach), Eigen::Vector2d(place + reach)});
-  const auto middle_low = static_cast<double>(map.extent.low[0]),
-             middle_high = static_cast<double>(map.extent.high[0]),
-             steepest = static_cast<double>(map.extent.high[1]);
-  const double middle = (middle_low + middle_high) / 2;
-  const double steepness = (static_cast<double>(map.extent.low[1]) + steepest) / 2;
-  const double off = ball.center.z() - middle;
-  const double by_extent = ball.radius * std::max(1.0, steepest) +
-                           steepest * (middle_high - middle) +
-                           (steepest - steepness) * std::abs(off);
-
-  // z in the flat space changes by at most `steepest` along z and by `across` in the plane, so
-  // offsets are stretched by no more than the matrix (1 0; across steepest) does.
-  const double farthest = std::abs(off) + (middle_high - middle) + ball.radius;
-  const double across =
-      steepest * static_cast<double>(map.slope[0]) + farthest * static_cast<double>(map.slope[1]);
-  const double squares = 1 + across * across + steepest * steepest;
-  const double stretch =
-      std::sqrt((squares + std::sqrt(squares * squares - 4 * steepest * steepest)) / 2);
-  if (stretch * ball.radius < by_extent)
-    return {internal::Flatten(part, ball.center), stretch * ball.radius};
-  return {{place.x(), place.y(), part.z0 + off * steepness}, by_extent};
-}
 
 /// As many parts as reach one ball, mostly.
 constexpr std::size_t kUsualParts = 8;
@@ -99,7 +54,6 @@ class BallPass {
   void Consider(std::uint32_t id);
   void Flush();
   void Take(std::uint32_t id, const Range& range);
-  Range OfPoint(const CompiledPrimitive& primitive) const;
   void EndChain();
   void EndPart();
   BallBounds Finish();
@@ -137,7 +91,7 @@ bool BallPass::Enter(const CompiledPart& part) {
     radius_ = ball_.radius * std::max(1.0, part.inv_depth_scale);
     return reaches();
   }
-  const Ball flat = FlattenBall(part, ball_);
+  const Ball flat = internal::FlattenBall(part, ball_);
   center_ = flat.center;
   radius_ = flat.radius;
   return reaches();
@@ -149,7 +103,9 @@ void BallPass::Consider(std::uint32_t id) {
 
   const auto k = static_cast<std::size_t>(tile_count_);
   tile_ids_[k] = id;
-  if (primitive.is_point()) tile_ranges_[k] = OfPoint(primitive);
+  if (primitive.is_point())
+    tile_ranges_[k] =
+        internal::RangeOfPoint(primitive, (center_ - primitive.place).norm(), radius_);
   const double inv_radius = 1 / primitive.radius;
   const Eigen::Vector3f w = ((center_ - primitive.place) * inv_radius).cast<float>();
   tile_.x[k] = w.x();
@@ -163,16 +119,6 @@ void BallPass::Consider(std::uint32_t id) {
   tile_.length[k] = primitive.length;
   tile_.radius[k] = static_cast<float>(radius_ * inv_radius);
   if (++tile_count_ == kBoundTile) Flush();
-}
-
-Range BallPass::OfPoint(const CompiledPrimitive& primitive) const {
-  const double distance = (center_ - primitive.place).norm();
-  const auto kernel = [&](double r) {
-    const double w = r / primitive.radius;
-    const double p = std::max(1 - w * w / 4, 0.0);
-    return primitive.norm * p * p * p;
-  };
-  return {kernel(distance + radius_), kernel(std::max(distance - radius_, 0.0))};
 }
 
 void BallPass::Flush() {
@@ -265,33 +211,12 @@ BallBounds BallPass::Finish() {
           {std::move(kept_)}};
 }
 
-/// Bounds of a field times its gain, whose logarithm is in a range.
-FieldBounds Amplified(const FieldBounds& bounds, const internal::SplineTable::Extent& gain) {
-  return {bounds.lower * std::exp(gain.low[0]), bounds.upper * std::exp(gain.high[0])};
-}
-
-/// Closer knowledge of the gain is asked for only where it could tell on which side of the surface
-/// the ball is.
-FieldBounds Amplified(const FieldBounds& bounds, const Ball& ball,
-                      const CompiledField::Data& data) {
-  const Eigen::Vector2d reach = Eigen::Vector2d::Constant(ball.radius),
-                        center = ball.center.head<2>();
-  const Eigen::AlignedBox2d box(Eigen::Vector2d(center - reach), Eigen::Vector2d(center + reach));
-  const auto rough = data.gain->RoughExtentOn(box);
-  constexpr auto kSurface = static_cast<float>(kIsoValue);
-  const FieldBounds found = Amplified(bounds, rough);
-  const bool is_told = found.lower > kSurface || found.upper < kSurface;
-  const bool is_open = bounds.lower * std::exp(rough.high[0]) <= kSurface &&
-                       bounds.upper * std::exp(rough.low[0]) >= kSurface;
-  return is_told || is_open ? found : Amplified(bounds, data.gain->ExtentOn(box, *data.kernel));
-}
-
 }  // namespace
 
 BallBounds CompiledField::BoundOnBall(const Ball& ball, const ActiveSet& in,
                                       ActiveSet reuse) const {
   BallBounds found = BallPass(*data_, ball, std::move(reuse.primitives)).Run(in);
-  if (data_->gain) found.bounds = Amplified(found.bounds, ball, *data_);
+  found.bounds = internal::Amplified(found.bounds, ball, *data_);
   return found;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "balls_around.h"
 #include "lascaux/field/compiled_field.h"
 #include "support/cases.h"
 
@@ -222,6 +223,17 @@ TEST(BoundOnBall, HoldsForTipsAndSteepSegments) {
         ASSERT_GE(value, found.bounds.lower);
       }
     }
+  });
+}
+
+TEST(BoundOnBalls, SaysWhatBoundsOnEachOfThemSay) {
+  ForSeeds(300, [](Random& random) {
+    Field field = RandomCreature(random);
+    for (FieldPart& part : field.parts) {
+      if (random.Chance(0.3)) part.chains[0].segments.back().radius_b = 0;  // a tip
+    }
+    const CompiledField compiled(field);
+    for (int k = 0; k < 5; ++k) testing::ExpectBoundsAroundAsOnEach(random, compiled);
   });
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "balls_around.h"
 #include "lascaux/field/compiled_field.h"
 #include "support/cases.h"
 
@@ -153,6 +154,7 @@ TEST(DepthMap, BlocksAgreeWithDoublePrecisionAndBallsHoldThem) {
       const Ball ball{random.InBox(compiled.bounds()), random.LogUniform(0.05, 2)};
       const BallBounds found =
           compiled.BoundOnBall({ball.center, 1.000001 * ball.radius}, compiled.All());
+      testing::ExpectBoundsAroundAsOnEach(random, compiled);
       constexpr std::size_t kCount = 100;  // more than a tile
       std::vector<float> x, y, z, f(kCount), gx(kCount), gy(kCount), gz(kCount), values(kCount);
       for (std::size_t i = 0; i < kCount; ++i) {

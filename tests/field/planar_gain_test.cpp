@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "balls_around.h"
 #include "lascaux/field/compiled_field.h"
 #include "support/cases.h"
 
@@ -73,6 +74,7 @@ TEST(PlanarGain, FieldIsMultipliedByItInBothPrecisions) {
     }
     std::vector<float> f(64), gx(64), gy(64), gz(64), values(64);
     const BallBounds found = compiled.BoundOnBall({origin, 1.8}, compiled.All());
+    testing::ExpectBoundsAroundAsOnEach(random, compiled);
     compiled.EvaluateSamples({origin, x, y, z}, found.active, {f, gx, gy, gz});
     compiled.EvaluateValues({origin, x, y, z}, found.active, values);
     for (std::size_t i = 0; i < 64; ++i) {
