@@ -16,7 +16,7 @@ using VertexPairs = std::vector<std::array<std::uint32_t, 2>>;
 
 /// Where quadrilaterals go, and what they are cut by.
 struct QuadTarget {
-  const Eigen::Vector3f* in_cell;           ///< of each vertex and one more, 0 to 1
+  const Eigen::Vector3f* in_cell;           ///< of each vertex, 0 to 1
   std::array<std::uint32_t, 3>* triangles;  ///< two for each of the block's quadrilaterals
 };
 

@@ -14,7 +14,6 @@ using Eigen::Vector3f;
 
 /// Four cells at a time.
 constexpr std::size_t kLanes = 4;
-using Doubles [[gnu::vector_size(8 * kLanes)]] = double;
 
 constexpr std::size_t CornerOf(std::size_t axis, std::size_t along, std::size_t u, std::size_t w) {
   return along << axis | u << (axis + 1) % 3 | w << (axis + 2) % 3;
@@ -22,17 +21,6 @@ constexpr std::size_t CornerOf(std::size_t axis, std::size_t along, std::size_t 
 
 /// The distances at the corners of four cells, without sign, in the order of CellSigns.
 using CellCorners = std::array<Four, 8>;
-
-LASCAUX_INLINE Four TwoAndTwo(const float* a, const float* b) {
-  using Pairs [[gnu::vector_size(16)]] = double;  // by halves, each of two floats
-  std::array<double, 2> pairs;
-  std::memcpy(&pairs[0], a, sizeof(double));
-  std::memcpy(&pairs[1], b, sizeof(double));
-  const Pairs both = {pairs[0], pairs[1]};
-  Four four;
-  std::memcpy(&four, &both, sizeof four);
-  return four;
-}
 
 LASCAUX_INLINE Four AtLeast(float least, Four a) { return a < least ? Four{} + least : a; }
 
@@ -105,8 +93,8 @@ CellVertices::CellVertices(const NarrowBand& band, const SurfaceCells& cells, st
 
 void CellVertices::PlaceMeans(std::span<const std::uint16_t> cells, const CellSigns* signs,
                               const PlacedVertices& to) const {
-  const Doubles lowest_x = Doubles{} + lowest_.x(), lowest_y = Doubles{} + lowest_.y(),
-                lowest_z = Doubles{} + lowest_.z();
+  const FourDoubles lowest_x = FourDoubles{} + lowest_.x(), lowest_y = FourDoubles{} + lowest_.y(),
+                    lowest_z = FourDoubles{} + lowest_.z();
   for (std::size_t at = 0; at < cells.size(); at += kLanes) {
     const std::size_t count = std::min(cells.size() - at, kLanes);
     FourInts cell{}, sign{};
@@ -127,10 +115,10 @@ void CellVertices::PlaceMeans(std::span<const std::uint16_t> cells, const CellSi
     }
     const FourPoints means = MeansOf(corners, sign);
     Store(means, count, to.in_cell + at);
-    const auto in_model = [&](const Four& mean, const FourInts& in_block, const Doubles& lowest,
+    const auto in_model = [&](const Four& mean, const FourInts& in_block, const FourDoubles& lowest,
                               int axis) {
-      const Doubles voxels = (lowest + __builtin_convertvector(in_block, Doubles)) +
-                             __builtin_convertvector(mean, Doubles);
+      const FourDoubles voxels = (lowest + __builtin_convertvector(in_block, FourDoubles)) +
+                                 __builtin_convertvector(mean, FourDoubles);
       return __builtin_convertvector(origin_[axis] + voxel_size_ * voxels, Four);
     };
     Store({in_model(means.x, x, lowest_x, 0), in_model(means.y, y, lowest_y, 1),

@@ -47,7 +47,7 @@ class Extraction {
     const std::size_t vertices = cells_.first_vertex.back(), quads = cells_.first_quad.back();
     mesh_.vertices.resize(vertices);
     mesh_.triangles.resize(2 * quads);
-    in_cell_.resize(vertices + 1);
+    in_cell_.resize(vertices);
     if (target_.field != nullptr) mesh_.outward.resize(vertices);
     tbb::parallel_for(std::size_t{0}, band_.size(), [this](std::size_t b) {
       if (cells_.IsEmpty(b)) return;

@@ -2,8 +2,13 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
 
 /// @file
 /// Four numbers as a vector, in the notation that g++ and clang share: one register everywhere.
@@ -14,6 +19,8 @@ namespace lascaux {
 
 using Four [[gnu::vector_size(16)]] = float;
 using FourInts [[gnu::vector_size(16)]] = std::int32_t;  ///< of comparisons: -1 or 0
+
+using FourDoubles [[gnu::vector_size(32)]] = double;
 
 LASCAUX_INLINE Four Size(Four a) { return a < 0 ? -a : a; }
 
@@ -27,22 +34,39 @@ LASCAUX_INLINE Four Where(const FourInts& mask, const Four& a) {
   return masked;
 }
 
+/// Is each of the four -1?
+LASCAUX_INLINE bool AreAll(const FourInts& mask) {
+#if defined(__SSE2__)
+  __m128 bits;
+  std::memcpy(&bits, &mask, sizeof bits);
+  return _mm_movemask_ps(bits) == 0xF;
+#else
+  return (mask[0] & mask[1] & mask[2] & mask[3]) != 0;
+#endif
+}
+
 /// Four points by their coordinates.
 struct FourPoints {
   Four x, y, z;
 };
 
-/// Points from whose addresses four numbers can be read.
+/// Two floats from each of two places.
+LASCAUX_INLINE Four TwoAndTwo(const float* a, const float* b) {
+  using Pairs [[gnu::vector_size(16)]] = double;  // by halves, each of two floats
+  std::array<double, 2> pairs;
+  std::memcpy(&pairs[0], a, sizeof(double));
+  std::memcpy(&pairs[1], b, sizeof(double));
+  const Pairs both = {pairs[0], pairs[1]};
+  Four four;
+  std::memcpy(&four, &both, sizeof four);
+  return four;
+}
+
 LASCAUX_INLINE FourPoints Gather(const std::array<const float*, 4>& at) {
-  std::array<Four, 4> p;
-  for (std::size_t i = 0; i < 4; ++i) std::memcpy(&p[i], at[i], sizeof p[i]);
-  const Four xy_low = __builtin_shufflevector(p[0], p[1], 0, 4, 1, 5);
-  const Four xy_high = __builtin_shufflevector(p[2], p[3], 0, 4, 1, 5);
-  const Four z_low = __builtin_shufflevector(p[0], p[1], 2, 6, 2, 6);
-  const Four z_high = __builtin_shufflevector(p[2], p[3], 2, 6, 2, 6);
-  return {__builtin_shufflevector(xy_low, xy_high, 0, 1, 4, 5),
-          __builtin_shufflevector(xy_low, xy_high, 2, 3, 6, 7),
-          __builtin_shufflevector(z_low, z_high, 0, 1, 4, 5)};
+  const Four low = TwoAndTwo(at[0], at[1]), high = TwoAndTwo(at[2], at[3]);
+  return {__builtin_shufflevector(low, high, 0, 2, 4, 6),
+          __builtin_shufflevector(low, high, 1, 3, 5, 7),
+          Four{at[0][2], at[1][2], at[2][2], at[3][2]}};
 }
 
 /// Stores the first `count` of four points.

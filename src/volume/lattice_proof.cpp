@@ -10,8 +10,13 @@
 #include <map>
 #include <utility>
 
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
 #include "volume/corner_table.h"
 #include "volume/lattice_quads.h"
+#include "volume/surface_cells.h"
 
 namespace lascaux {
 namespace {
@@ -20,11 +25,53 @@ using Eigen::Array3i;
 
 constexpr std::size_t kGrain = 2048;  // vertices or quadrilaterals a task
 
-// What is known of a vertex, above the edges of its cell and how they are crossed.
 constexpr std::uint32_t kEdges = (1 << kCellEdges) - 1;
-constexpr std::uint32_t kShared = 1 << 24;  // its cell has another vertex
-constexpr std::uint32_t kLoose = 1 << 25;   // one of its triangles is in no edge's quadrilateral
-constexpr std::uint32_t kNear = 1 << 26;    // in a cell beside a doubtful triangle
+
+// What is known of a vertex.
+constexpr std::uint8_t kShared = 1;  // its cell has another vertex
+constexpr std::uint8_t kLoose = 2;   // one of its triangles is in no edge's quadrilateral
+constexpr std::uint8_t kNear = 4;    // in a cell beside a doubtful triangle
+
+/// Edges of a vertex's cell that quadrilaterals are around, as bits, and those that start inside.
+struct EdgesAround {
+  std::uint32_t crossed, starts_inside;
+};
+
+/// Which edges quadrilaterals at each vertex are around. Each edge of a cell has a byte of its own,
+/// so that threads can note edges at one vertex at once without waiting for each other.
+class NotedEdges {
+ public:
+  explicit NotedEdges(std::size_t vertices) : bytes_(kCellEdges * vertices + kBehind, 0) {}
+
+  void Note(std::size_t vertex, std::size_t edge, bool starts_inside) {
+    std::atomic_ref(bytes_[kCellEdges * vertex + edge])
+        .store(starts_inside ? kInside : kOutside, std::memory_order_relaxed);
+  }
+
+  EdgesAround Of(std::size_t vertex) const {
+    const std::uint8_t* const bytes = bytes_.data() + kCellEdges * vertex;
+#if defined(__SSE2__)
+    const __m128i all = _mm_loadu_si128(reinterpret_cast<const __m128i*>(bytes));
+    const auto bits = [](const __m128i& mask) {
+      return static_cast<std::uint32_t>(_mm_movemask_epi8(mask)) & kEdges;
+    };
+    return {bits(_mm_cmpgt_epi8(all, _mm_setzero_si128())),
+            bits(_mm_cmpeq_epi8(all, _mm_set1_epi8(kInside)))};
+#else
+    EdgesAround edges{0, 0};
+    for (std::size_t e = 0; e < kCellEdges; ++e) {
+      edges.crossed |= static_cast<std::uint32_t>(bytes[e] != 0) << e;
+      edges.starts_inside |= static_cast<std::uint32_t>(bytes[e] == kInside) << e;
+    }
+    return edges;
+#endif
+  }
+
+ private:
+  static constexpr std::uint8_t kOutside = 1, kInside = 2;
+  static constexpr std::size_t kBehind = 4;  // for vectors of 16 bytes
+  std::vector<std::uint8_t> bytes_;
+};
 
 /// Which sets of a cell's edges one piece of surface can cross, and which of them start inside.
 class Rounds {
@@ -48,11 +95,10 @@ class Rounds {
     }
   }
 
-  /// For the state of a vertex with crossed edges and, above them, those that start inside.
-  bool Has(std::uint32_t state) const {
-    const std::uint32_t crossed = state & kEdges, starts = state >> kCellEdges & kEdges;
-    const std::uint16_t one = starts_[crossed];  // the other has all signs reversed
-    return one != kNone && (starts == one || starts == (one ^ crossed));
+  bool Has(const EdgesAround& edges) const {
+    const std::uint16_t one = starts_[edges.crossed];  // the other has all signs reversed
+    return one != kNone &&
+           (edges.starts_inside == one || edges.starts_inside == (one ^ edges.crossed));
   }
 
  private:
@@ -125,14 +171,16 @@ class Proof {
       : mesh_(mesh),
         cells_(lattice),
         quads_(mesh.triangles.size() / 2),
-        state_(mesh.vertices.size()) {}
+        state_(mesh.vertices.size()),
+        edges_(mesh.vertices.size()) {}
 
   std::optional<LatticeProof> Run() {
     if (!FindRuns()) return std::nullopt;
     const std::vector<std::uint32_t> unproven = LookAtQuads();
-    if (has_two_at_edge_) return std::nullopt;
     LatticeProof proof;
-    if (!FollowEdges()) return proof;
+    const Following following = FollowEdges();
+    if (following.edges != noted_) return std::nullopt;  // two quadrilaterals are around one edge
+    if (!following.are_rounds) return proof;
     if (!MarkNear(unproven)) return std::nullopt;
     proof.closed_fans = Collect(proof.doubtful);
     proof.coincident = CountCoincident();
@@ -176,19 +224,22 @@ class Proof {
     Found<std::uint32_t> unproven(Tasks(quads_));
     ForRanges(quads_, [&](std::size_t task, std::size_t begin, std::size_t end) {
       LatticeQuads batch(mesh_, cells_);
+      std::size_t noted = 0;
       for (std::size_t at = begin; at < end; at += LatticeQuads::kMost) {
         const std::size_t count = std::min(end - at, LatticeQuads::kMost);
         batch.Look(at, count);
         for (std::size_t i = 0; i < count; ++i) {
-          if (!NoteEdge(batch, i)) {
+          if (NoteEdge(batch, i)) {
+            noted += 4;
+            if (batch.IsInEnvelope(i)) continue;
+          } else {
             Loosen(2 * (at + i));
             Loosen(2 * (at + i) + 1);
-          } else if (batch.IsInEnvelope(i)) {
-            continue;
           }
           unproven.Of(task).push_back(static_cast<std::uint32_t>(at + i));
         }
       }
+      noted_ += noted;
     });
     if (mesh_.triangles.size() % 2 == 1) Loosen(mesh_.triangles.size() - 1);
     return unproven.All();
@@ -196,16 +247,10 @@ class Proof {
 
   bool NoteEdge(const LatticeQuads& batch, std::size_t i) {
     if (!batch.IsAroundEdge(i)) return false;
-    const std::array<std::uint32_t, 4> vertices = batch.Vertices(i);
-    for (const std::uint32_t v : vertices)
-      if ((StateOf(v) & kShared) != 0) return false;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const std::uint32_t edge = 1U << batch.EdgeOf(i, k);
-      const std::uint32_t bits = edge | (batch.StartsInside(i) ? edge << kCellEdges : 0);
-      // Bits that are not set yet can be added, which is one instruction.
-      if ((state_[vertices[k]].fetch_add(bits, std::memory_order_relaxed) & edge) != 0)
-        has_two_at_edge_ = true;  // what is there now means nothing
-    }
+    for (std::size_t k = 0; k < 4; ++k)
+      if ((StateOf(batch.Vertex(i, k)) & kShared) != 0) return false;
+    for (std::size_t k = 0; k < 4; ++k)
+      edges_.Note(batch.Vertex(i, k), batch.EdgeOf(i, k), batch.StartsInside(i));
     return true;
   }
 
@@ -213,23 +258,34 @@ class Proof {
     for (const std::uint32_t v : mesh_.triangles[triangle]) Mark(v, kLoose);
   }
 
-  /// Do the edges of each vertex whose triangles all have one make a round? Lists the others.
-  bool FollowEdges() {
+  /// Edges that were noted, and whether those of each vertex whose triangles all have one make a
+  /// round.
+  struct Following {
+    std::size_t edges = 0;
+    bool are_rounds = true;
+  };
+
+  /// Lists the vertices whose triangles don't all have an edge.
+  Following FollowEdges() {
     static const Rounds rounds;
     Found<std::uint32_t> by_hand(Tasks(state_.size()));
     std::atomic<bool> all = true;
+    std::atomic<std::size_t> edges = 0;
     ForRanges(state_.size(), [&](std::size_t task, std::size_t begin, std::size_t end) {
+      std::size_t count = 0;
       for (std::size_t v = begin; v < end; ++v) {
-        const std::uint32_t state = StateOf(v);
-        if ((state & (kShared | kLoose)) != 0) {
+        const EdgesAround around = edges_.Of(v);
+        count += CountBits(around.crossed);
+        if ((StateOf(v) & (kShared | kLoose)) != 0) {
           by_hand.Of(task).push_back(static_cast<std::uint32_t>(v));
-        } else if (!rounds.Has(state)) {
+        } else if (!rounds.Has(around)) {
           all = false;
         }
       }
+      edges += count;
     });
     by_hand_ = by_hand.All();
-    return all;
+    return {edges, all};
   }
 
   /// A proven triangle reaches from its cells into the next at most. So one that meets the box of
@@ -274,7 +330,7 @@ class Proof {
     ForRanges(count, [&](std::size_t task, std::size_t begin, std::size_t end) {
       for (std::size_t t = begin; t < end; ++t) {
         const auto& v = mesh_.triangles[t];
-        const std::uint32_t any = StateOf(v[0]) | StateOf(v[1]) | StateOf(v[2]);
+        const int any = StateOf(v[0]) | StateOf(v[1]) | StateOf(v[2]);
         if ((any & (kNear | kLoose | kShared)) == 0) continue;
         if ((any & kNear) != 0) near.Of(task).push_back(static_cast<std::uint32_t>(t));
         for (std::size_t k = 0; k < 3; ++k)
@@ -312,10 +368,10 @@ class Proof {
     return count;
   }
 
-  void Mark(std::size_t vertex, std::uint32_t bit) {
+  void Mark(std::size_t vertex, std::uint8_t bit) {
     state_[vertex].fetch_or(bit, std::memory_order_relaxed);
   }
-  std::uint32_t StateOf(std::size_t vertex) const {
+  std::uint8_t StateOf(std::size_t vertex) const {
     return state_[vertex].load(std::memory_order_relaxed);
   }
 
@@ -325,10 +381,11 @@ class Proof {
   const Mesh& mesh_;
   LatticeCells cells_;
   std::size_t quads_;
-  std::vector<std::atomic<std::uint32_t>> state_;  // of each vertex
+  std::vector<std::atomic<std::uint8_t>> state_;  // of each vertex
+  NotedEdges edges_;
   std::vector<RunOfVertices> runs_;
   std::vector<std::uint32_t> by_hand_;
-  std::atomic<bool> has_two_at_edge_ = false;
+  std::atomic<std::size_t> noted_ = 0;  // edges, at each of their four vertices
 };
 
 }  // namespace

@@ -29,85 +29,128 @@ std::optional<std::array<std::uint32_t, 4>> Join(const Triangle& s, const Triang
   return std::nullopt;
 }
 
-/// Along which axis two opposite cells around an edge are not apart, from how far apart they are
-/// along each: 9 (x + 1) + 3 (y + 1) + z + 1.
-constexpr std::array<std::uint8_t, 27> kAxes = [] {
-  std::array<std::uint8_t, 27> axes{};
-  for (int i = 0; i < 27; ++i) {
-    const std::array<int, 3> apart = {i / 9 - 1, i / 3 % 3 - 1, i % 3 - 1};
-    axes[static_cast<std::size_t>(i)] = 3;
-    if (std::count(apart.begin(), apart.end(), 0) != 1) continue;
-    axes[static_cast<std::size_t>(i)] =
-        static_cast<std::uint8_t>(std::find(apart.begin(), apart.end(), 0) - apart.begin());
-  }
-  return axes;
-}();
+LASCAUX_INLINE FourInts AsInts(const Four& bits) {
+  FourInts ints;
+  std::memcpy(&ints, &bits, sizeof ints);
+  return ints;
+}
+
+/// The first of three where one mask holds, the second where the other does, the third elsewhere.
+template <typename T>
+LASCAUX_INLINE T Pick(const std::array<FourInts, 2>& masks, const T& a, const T& b, const T& c) {
+  return masks[0] ? a : masks[1] ? b : c;
+}
 
 }  // namespace
 
+LatticeQuads::LatticeQuads(const Mesh& mesh, const LatticeCells& cells)
+    : mesh_(mesh), cells_(cells) {
+  per_unit_.fill(cells.PerUnit());
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    shift_[axis].fill(cells.Shift()[static_cast<Eigen::Index>(axis)]);
+}
+
 void LatticeQuads::Look(std::size_t first, std::size_t count) {
-  JoinHalves(first, count);
-  PlaceCorners(count);
-  for (std::size_t i = 0; i < count; ++i) FindEdge(i);
-  FindInEnvelope(count);
-  // Where the surface is flat, diagonals often run straight through their edges.
-  for (std::size_t i = 0; i < count; ++i)
-    if (in_envelope_[i] == 0 && IsAroundEdge(i)) in_envelope_[i] = IsFinelyInEnvelope(i) ? 1 : 0;
+  std::array<std::size_t, 4> quads;
+  for (std::size_t i = 0; i < 4; ++i) quads[i] = first + std::min(i, count - 1);
+  JoinHalves(quads);
+  PlaceCorners();
+  FindEdges();
 }
 
-void LatticeQuads::JoinHalves(std::size_t first, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) {
-    const Triangle& s = mesh_.triangles[2 * (first + i)];
-    const Triangle& t = mesh_.triangles[2 * (first + i) + 1];
-    // As ExtractMesh cuts them, or in any other way.
-    std::array<std::uint32_t, 4> corners = {s[0], s[2], s[1], t[2]};
-    is_whole_[i] = 1;
-    if (t[0] == s[0] && t[1] == s[2]) {
-      corners = {s[2], s[0], s[1], t[2]};
-    } else if (t[0] == s[1] && t[2] == s[2]) {
-      corners = {s[1], s[2], s[0], t[1]};
-    } else if (const auto joined = Join(s, t)) {
-      corners = *joined;
-    } else {
-      is_whole_[i] = 0;
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      const Eigen::Vector3f& p = mesh_.vertices[corners[k]];
-      vertex_[k][i] = corners[k];
-      for (std::size_t axis = 0; axis < 3; ++axis) at_[k][axis][i] = p[static_cast<int>(axis)];
-    }
+void LatticeQuads::JoinHalves(const std::array<std::size_t, 4>& quads) {
+  const auto four = [&](std::size_t i, std::size_t from) {
+    return reinterpret_cast<const float*>(mesh_.triangles.data() + 2 * quads[i]) + from;
+  };
+  const auto two_columns = [&](std::size_t from) {
+    const Four low = TwoAndTwo(four(0, from), four(1, from));
+    const Four high = TwoAndTwo(four(2, from), four(3, from));
+    return std::array<FourInts, 2>{AsInts(__builtin_shufflevector(low, high, 0, 2, 4, 6)),
+                                   AsInts(__builtin_shufflevector(low, high, 1, 3, 5, 7))};
+  };
+  const auto [s0, s1] = two_columns(0);
+  const auto [s2, t0] = two_columns(2);
+  const auto [t1, t2] = two_columns(4);
+  // As ExtractMesh cuts them, or in any other way.
+  const FourInts from_first = (t0 == s0) & (t1 == s2);
+  vertex_ = {from_first ? s2 : s1, from_first ? s0 : s2, from_first ? s1 : s0,
+             from_first ? t2 : t1};
+  is_whole_ = from_first | ((t0 == s1) & (t2 == s2));
+  if (AreAll(is_whole_)) return;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (is_whole_[i] != 0) continue;
+    const auto joined = Join(mesh_.triangles[2 * quads[i]], mesh_.triangles[2 * quads[i] + 1]);
+    if (!joined) continue;
+    is_whole_[i] = -1;
+    for (std::size_t k = 0; k < 4; ++k) vertex_[k][i] = static_cast<std::int32_t>((*joined)[k]);
   }
 }
 
-void LatticeQuads::PlaceCorners(std::size_t count) {
+void LatticeQuads::PlaceCorners() {
   for (std::size_t k = 0; k < 4; ++k) {
+    const auto at = [&](std::size_t i) { return mesh_.vertices[Vertex(i, k)].data(); };
+    const FourPoints points = Gather({at(0), at(1), at(2), at(3)});
+    const std::array<const Four*, 3> along = {&points.x, &points.y, &points.z};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      float* const at = at_[k][axis].data();
-      std::int32_t* const cell = cell_[k][axis].data();
-      for (std::size_t i = 0; i < count; ++i) {
-        const double in_cells = cells_.InCells(at[i], static_cast<int>(axis));
-        cell[i] = static_cast<std::int32_t>(in_cells);
-        at[i] = static_cast<float>(in_cells - cell[i]);
-      }
-      for (std::size_t i = 0; i < count; ++i)
-        is_whole_[i] &= (at[i] > kMargin ? 1 : 0) & (at[i] < 1 - kMargin ? 1 : 0);
+      FourDoubles per_unit, shift;
+      std::memcpy(&per_unit, per_unit_.data(), sizeof per_unit);
+      std::memcpy(&shift, shift_[axis].data(), sizeof shift);
+      const FourDoubles in_cells =
+          __builtin_convertvector(*along[axis], FourDoubles) * per_unit + shift;
+      const FourInts cell = __builtin_convertvector(in_cells, FourInts);
+      const Four in_cell =
+          __builtin_convertvector(in_cells - __builtin_convertvector(cell, FourDoubles), Four);
+      cell_[k][axis] = cell;
+      at_[k][axis] = in_cell;
+      is_whole_ &= (in_cell > kMargin) & (in_cell < 1 - kMargin);
     }
   }
 }
 
-void LatticeQuads::FindInEnvelope(std::size_t count) {
-  for (std::size_t i = 0; i < count; i += 4) {
-    std::array<SeenCorners, 4> q;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const auto load = [i](const std::array<float, kMost>& from) {
-        Four four;
-        std::memcpy(&four, from.data() + i, sizeof four);
-        return four;
-      };
-      q[k] = {load(seen_[k].x), load(seen_[k].y), load(seen_[k].height)};
-    }
-    const FourInts are = AreInEnvelope(q, kMargin);
-    for (std::size_t j = 0; j < 4; ++j) in_envelope_[i + j] = are[j] != 0 ? 1 : 0;
+void LatticeQuads::FindEdges() {
+  // Opposite cells are one apart along all axes but that of the edge.
+  std::array<FourInts, 3> is_same;
+  FourInts are_near = is_whole_;
+  for (std::size_t along = 0; along < 3; ++along) {
+    const FourInts apart = cell_[1][along] - cell_[0][along];
+    is_same[along] = apart == 0;
+    are_near &= (apart <= 1) & (apart >= -1);
+  }
+  is_around_ = are_near & (is_same[0] + is_same[1] + is_same[2] == -1);
+  const std::array<FourInts, 2> masks = {is_same[0], is_same[1]};
+  axis_ = (is_same[1] & 1) | (is_same[2] & 2);
+  std::array<FourInts, 4> u, w;
+  std::array<SeenCorners, 4> seen;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto& [x, y, z] = cell_[k];
+    u[k] = Pick(masks, y, z, x);
+    w[k] = Pick(masks, z, x, y);
+    is_around_ &= Pick(masks, x, y, z) == Pick(masks, cell_[0][0], cell_[0][1], cell_[0][2]);
+  }
+  const FourInts low_u = u[0] < u[1] ? u[0] : u[1], low_w = w[0] < w[1] ? w[0] : w[1];
+  for (std::size_t k = 0; k < 4; ++k) {
+    const FourInts beyond_u = u[k] - low_u, beyond_w = w[k] - low_w;
+    is_around_ &= ((beyond_u | beyond_w) & ~1) == 0;
+    quadrant_[k] = beyond_u + 2 * beyond_w;
+    edge_[k] = 4 * axis_ + 3 - quadrant_[k];
+    // The edge is where the lower cell ends.
+    const auto& [x, y, z] = at_[k];
+    seen[k] = {Pick(masks, y, z, x) + __builtin_convertvector(beyond_u - 1, Four),
+               Pick(masks, z, x, y) + __builtin_convertvector(beyond_w - 1, Four),
+               Pick(masks, x, y, z)};
+  }
+  // One in each quadrant: d0 and d1 are in opposite ones.
+  is_around_ &= (quadrant_[2] + quadrant_[3] == 3) & (quadrant_[2] != quadrant_[0]) &
+                (quadrant_[2] != quadrant_[1]);
+  // From d0 to d1 and a counter-clockwise, seen from where the axis points to?
+  const FourInts is_beyond_both = (quadrant_[0] == 0) | (quadrant_[0] == 3);
+  const FourInts a_is_beyond_w = ((quadrant_[2] ^ quadrant_[0]) & 1) == 0;
+  starts_inside_ = is_beyond_both == a_is_beyond_w;
+  in_envelope_ = AreInEnvelope(seen, kMargin);
+  // Where the surface is flat, diagonals often run straight through their edges.
+  if (AreAll(in_envelope_ | ~is_around_)) return;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (in_envelope_[i] == 0 && IsAroundEdge(i)) in_envelope_[i] = IsFinelyInEnvelope(i) ? -1 : 0;
   }
 }
 
@@ -115,7 +158,7 @@ bool LatticeQuads::IsFinelyInEnvelope(std::size_t i) const {
   const int axis = axis_[i], u = (axis + 1) % 3, w = (axis + 2) % 3;
   std::array<SeenCorner, 4> seen;
   for (std::size_t k = 0; k < 4; ++k) {
-    const Eigen::Vector3f& p = mesh_.vertices[vertex_[k][i]];
+    const Eigen::Vector3f& p = mesh_.vertices[Vertex(i, k)];
     const auto in_cell = [&](int along) {
       return cells_.InCells(p[along], along) - cell_[k][static_cast<std::size_t>(along)][i];
     };
@@ -123,40 +166,6 @@ bool LatticeQuads::IsFinelyInEnvelope(std::size_t i) const {
                in_cell(axis)};
   }
   return lascaux::IsInEnvelope(seen, kFineMargin);
-}
-
-void LatticeQuads::FindEdge(std::size_t i) {
-  axis_[i] = kNone;
-  const auto cell = [&](std::size_t k, std::size_t along) { return cell_[k][along][i]; };
-  std::array<std::int32_t, 3> apart;
-  for (std::size_t along = 0; along < 3; ++along)
-    apart[along] = cell(1, along) - cell(0, along) + 1;
-  if (is_whole_[i] == 0 || ((apart[0] | apart[1] | apart[2]) & ~3) != 0) return;
-  if (apart[0] == 3 || apart[1] == 3 || apart[2] == 3) return;
-  const std::uint8_t axis = kAxes[static_cast<std::size_t>(9 * apart[0] + 3 * apart[1] + apart[2])];
-  if (axis == kNone) return;
-  const std::size_t u = (axis + 1U) % 3, w = (axis + 2U) % 3;
-  const std::int32_t low_u = std::min(cell(0, u), cell(1, u));
-  const std::int32_t low_w = std::min(cell(0, w), cell(1, w));
-  unsigned all = 0;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const std::int32_t beyond_u = cell(k, u) - low_u, beyond_w = cell(k, w) - low_w;
-    if (((beyond_u | beyond_w) & ~1) != 0 || cell(k, axis) != cell(0, axis)) return;
-    quadrant_[k][i] = static_cast<std::uint8_t>(beyond_u + 2 * beyond_w);
-    all |= 1U << quadrant_[k][i];
-    // The edge is where the lower cell ends.
-    seen_[k].x[i] = at_[k][u][i] + static_cast<float>(beyond_u - 1);
-    seen_[k].y[i] = at_[k][w][i] + static_cast<float>(beyond_w - 1);
-    seen_[k].height[i] = at_[k][axis][i];
-  }
-  if (all != 0xF) return;
-  axis_[i] = axis;
-  // From d0 to d1 and a counter-clockwise, seen from where the axis points to?
-  const auto beyond_u = [&](std::size_t k) { return quadrant_[k][i] & 1; };
-  const auto beyond_w = [&](std::size_t k) { return quadrant_[k][i] >> 1; };
-  const int turn = (beyond_u(1) - beyond_u(0)) * (beyond_w(2) - beyond_w(0)) -
-                   (beyond_w(1) - beyond_w(0)) * (beyond_u(2) - beyond_u(0));
-  starts_inside_[i] = turn > 0 ? 1 : 0;
 }
 
 }  // namespace lascaux

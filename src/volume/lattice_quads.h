@@ -8,6 +8,7 @@
 #include "lascaux/volume/check_mesh.h"
 #include "lascaux/volume/mesh.h"
 #include "volume/cell_table.h"
+#include "volume/four.h"
 
 /// @file
 /// The quadrilaterals of a dual mesh, as the lattice sees them.
@@ -30,6 +31,10 @@ class LatticeCells {
   double InCells(float at, int axis) const {
     return static_cast<double>(at) * per_unit_ + shift_[axis];
   }
+
+  /// What that multiplies with, and adds then.
+  double PerUnit() const { return per_unit_; }
+  const Eigen::Array3d& Shift() const { return shift_; }
 
   /// Precondition: KeyOf() it is not kNoCell.
   Eigen::Array3i CellOf(const Eigen::Vector3f& p) const {
@@ -61,29 +66,29 @@ class LatticeCells {
   Eigen::Array3d shift_;
 };
 
-/// Up to so many pairs of consecutive triangles, each as a quadrilateral d0 b d1 a that is cut from
-/// d0 to d1.
+/// Four pairs of consecutive triangles, each as a quadrilateral d0 b d1 a that is cut from d0 to
+/// d1.
 class LatticeQuads {
  public:
-  static constexpr std::size_t kMost = 64;
+  static constexpr std::size_t kMost = 4;
 
-  LatticeQuads(const Mesh& mesh, const LatticeCells& cells) : mesh_(mesh), cells_(cells) {}
+  LatticeQuads(const Mesh& mesh, const LatticeCells& cells);
 
-  /// Looks at those from triangle 2 `first` on.
+  /// Looks at up to four from triangle 2 `first` on; what is asked of others has no meaning.
   void Look(std::size_t first, std::size_t count);
 
   /// Is the `i`th of them a quadrilateral with one corner in each cell around an edge, strictly
   /// inside, d0 opposite to d1? Only then have the others a meaning.
-  bool IsAroundEdge(std::size_t i) const { return axis_[i] != kNone; }
+  bool IsAroundEdge(std::size_t i) const { return is_around_[i] != 0; }
 
-  /// In the order d0, d1, a, b.
-  std::array<std::uint32_t, 4> Vertices(std::size_t i) const {
-    return {vertex_[0][i], vertex_[1][i], vertex_[2][i], vertex_[3][i]};
+  /// Corner `k` in the order d0, d1, a, b.
+  std::uint32_t Vertex(std::size_t i, std::size_t k) const {
+    return static_cast<std::uint32_t>(vertex_[k][i]);
   }
 
   /// The edge's number (CellEdge) in the cell of corner `k`.
   std::size_t EdgeOf(std::size_t i, std::size_t k) const {
-    return 4 * std::size_t{axis_[i]} + 3 - quadrant_[k][i];
+    return static_cast<std::size_t>(edge_[k][i]);
   }
 
   /// Is it turned as around an edge that starts inside?
@@ -93,28 +98,23 @@ class LatticeQuads {
   bool IsInEnvelope(std::size_t i) const { return in_envelope_[i] != 0; }
 
  private:
-  static constexpr std::uint8_t kNone = 3;  // for an axis
-
-  void JoinHalves(std::size_t first, std::size_t count);
-  void PlaceCorners(std::size_t count);
-  void FindEdge(std::size_t i);
-  void FindInEnvelope(std::size_t count);
+  void JoinHalves(const std::array<std::size_t, 4>& quads);
+  void PlaceCorners();
+  void FindEdges();
   bool IsFinelyInEnvelope(std::size_t i) const;
 
   const Mesh& mesh_;
   const LatticeCells& cells_;
-  std::array<std::array<std::uint32_t, kMost>, 4> vertex_;
-  // By corners and axes.
-  std::array<std::array<std::array<std::int32_t, kMost>, 3>, 4> cell_;
-  std::array<std::array<std::array<float, kMost>, 3>, 4> at_;
-  std::array<std::int32_t, kMost> is_whole_;  // joined, and strictly inside of cells
-  std::array<std::uint8_t, kMost> axis_, starts_inside_, in_envelope_;
-  std::array<std::array<std::uint8_t, kMost>, 4> quadrant_;  // 1 beyond along u, 2 along w
-  /// Corners as seen along their edges.
-  struct Seen {
-    alignas(16) std::array<float, kMost> x, y, height;
-  };
-  std::array<Seen, 4> seen_;
+  std::array<double, 4> per_unit_;              // LatticeCells', four times
+  std::array<std::array<double, 4>, 3> shift_;  // by axes
+  // By corners, and by axes.
+  std::array<FourInts, 4> vertex_;
+  std::array<std::array<FourInts, 3>, 4> cell_;
+  std::array<std::array<Four, 3>, 4> at_;
+  FourInts is_whole_;  // joined, and strictly inside of cells
+  FourInts is_around_, starts_inside_, in_envelope_;
+  FourInts axis_;
+  std::array<FourInts, 4> edge_, quadrant_;  // 1 beyond along u, 2 along w
 };
 
 }  // namespace lascaux
