@@ -64,10 +64,7 @@ LASCAUX_INLINE FourPoints MeansOf(const CellCorners& corners, const FourInts& si
 
 CellVertices::CellVertices(const NarrowBand& band, const SurfaceCells& cells, std::size_t block,
                            const BlockValues& missing)
-    : voxel_size_(band.voxel_size),
-      origin_(band.origin),
-      lowest_(band.blocks[block].cast<double>()),
-      least_(kLeastDistance * static_cast<float>(band.voxel_size)) {
+    : least_(kLeastDistance * static_cast<float>(band.voxel_size)) {
   std::array<const float*, 8> values;
   for (std::size_t side = 0; side < 8; ++side) {
     const std::int32_t found = cells.above[block][side];
@@ -92,9 +89,7 @@ CellVertices::CellVertices(const NarrowBand& band, const SurfaceCells& cells, st
 }
 
 void CellVertices::PlaceMeans(std::span<const std::uint16_t> cells, const CellSigns* signs,
-                              const PlacedVertices& to) const {
-  const FourDoubles lowest_x = FourDoubles{} + lowest_.x(), lowest_y = FourDoubles{} + lowest_.y(),
-                    lowest_z = FourDoubles{} + lowest_.z();
+                              Vector3f* to) const {
   for (std::size_t at = 0; at < cells.size(); at += kLanes) {
     const std::size_t count = std::min(cells.size() - at, kLanes);
     FourInts cell{}, sign{};
@@ -113,17 +108,7 @@ void CellVertices::PlaceMeans(std::span<const std::uint16_t> cells, const CellSi
       corners[xy] = AtLeast(least_, Size(__builtin_shufflevector(a, b, 0, 2, 4, 6)));
       corners[xy + 4] = AtLeast(least_, Size(__builtin_shufflevector(a, b, 1, 3, 5, 7)));
     }
-    const FourPoints means = MeansOf(corners, sign);
-    Store(means, count, to.in_cell + at);
-    const auto in_model = [&](const Four& mean, const FourInts& in_block, const FourDoubles& lowest,
-                              int axis) {
-      const FourDoubles voxels = (lowest + __builtin_convertvector(in_block, FourDoubles)) +
-                                 __builtin_convertvector(mean, FourDoubles);
-      return __builtin_convertvector(origin_[axis] + voxel_size_ * voxels, Four);
-    };
-    Store({in_model(means.x, x, lowest_x, 0), in_model(means.y, y, lowest_y, 1),
-           in_model(means.z, z, lowest_z, 2)},
-          count, to.in_model + at);
+    Store(MeansOf(corners, sign), count, to + at);
   }
 }
 
@@ -154,6 +139,30 @@ std::array<Vector3f, 4> CellVertices::In(std::size_t cell, const CellPieces& pie
   }
   for (std::size_t p = 0; p < pieces.count; ++p) means[p] /= count[p];
   return means;
+}
+
+void PlaceInModel(const NarrowBand& band, std::size_t block, std::span<const std::uint16_t> cells,
+                  Vector3f* vertices) {
+  const Eigen::Vector3d lowest = band.blocks[block].cast<double>();
+  for (std::size_t at = 0; at < cells.size(); at += kLanes) {
+    const std::size_t count = std::min(cells.size() - at, kLanes);
+    FourInts cell{};
+    std::array<const float*, kLanes> in_cell;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      const std::size_t k = at + std::min(i, count - 1);
+      cell[i] = cells[k];
+      in_cell[i] = vertices[k].data();
+    }
+    const FourPoints places = Gather(in_cell);
+    const auto in_model = [&](const Four& place, const FourInts& in_block, int axis) {
+      const FourDoubles voxels = (lowest[axis] + __builtin_convertvector(in_block, FourDoubles)) +
+                                 __builtin_convertvector(place, FourDoubles);
+      return __builtin_convertvector(band.origin[axis] + band.voxel_size * voxels, Four);
+    };
+    Store({in_model(places.x, cell >> 6, 0), in_model(places.y, cell >> 3 & 7, 1),
+           in_model(places.z, cell & 7, 2)},
+          count, vertices + at);
+  }
 }
 
 }  // namespace lascaux

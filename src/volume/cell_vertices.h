@@ -11,12 +11,6 @@
 
 namespace lascaux {
 
-/// Where vertices go: as places in their cells, 0 to 1, and in the band's frame.
-struct PlacedVertices {
-  Eigen::Vector3f* in_cell;
-  Eigen::Vector3f* in_model;
-};
-
 using BlockValues = std::array<float, kBlockVoxels>;
 
 /// Where the surface crosses the edges of a block's cells.
@@ -26,9 +20,10 @@ class CellVertices {
   CellVertices(const NarrowBand& band, const SurfaceCells& cells, std::size_t block,
                const BlockValues& missing);
 
-  /// The mean of each cell's crossings, of all of its pieces: cell by cell, in that order.
+  /// The mean of each cell's crossings, of all of its pieces, in the cell: 0 to 1. Cell by cell, in
+  /// that order.
   void PlaceMeans(std::span<const std::uint16_t> cells, const CellSigns* signs,
-                  const PlacedVertices& to) const;
+                  Eigen::Vector3f* to) const;
 
   /// The means of each of a cell's pieces, in the cell. As many as there are; what is behind them
   /// means nothing.
@@ -38,10 +33,12 @@ class CellVertices {
   // Along x, y, z between the voxels of the block and those one step beyond.
   static constexpr std::array<std::size_t, 3> kStride = {81, 9, 1};
 
-  double voxel_size_;
-  Eigen::Vector3d origin_, lowest_;  ///< the band's, and of the block's lowest voxel, in voxels
   float least_;  ///< no distance is so close to 0 that vertices could fall on one point
   std::array<float, 9 * 9 * 9> values_;  ///< beside crossed cells; others are unset
 };
+
+/// Takes vertices from their cells to the band's frame; `cells` are theirs.
+void PlaceInModel(const NarrowBand& band, std::size_t block, std::span<const std::uint16_t> cells,
+                  Eigen::Vector3f* vertices);
 
 }  // namespace lascaux

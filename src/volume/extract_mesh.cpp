@@ -35,7 +35,8 @@ struct Target {
   }
 };
 
-/// The mesh while it is made: vertices also as places in their cells, from 0 to 1.
+/// The mesh while it is made: vertices are places in their cells, from 0 to 1, until all are
+/// connected.
 class Extraction {
  public:
   Extraction(const NarrowBand& band, const Target& target)
@@ -47,7 +48,6 @@ class Extraction {
     const std::size_t vertices = cells_.first_vertex.back(), quads = cells_.first_quad.back();
     mesh_.vertices.resize(vertices);
     mesh_.triangles.resize(2 * quads);
-    in_cell_.resize(vertices);
     if (target_.field != nullptr) mesh_.outward.resize(vertices);
     tbb::parallel_for(std::size_t{0}, band_.size(), [this](std::size_t b) {
       if (cells_.IsEmpty(b)) return;
@@ -56,6 +56,9 @@ class Extraction {
     });
     tbb::parallel_for(std::size_t{0}, band_.size(), [this](std::size_t b) {
       if (!cells_.IsEmpty(b)) ConnectVertices(b);
+    });
+    tbb::parallel_for(std::size_t{0}, band_.size(), [this](std::size_t b) {
+      if (!cells_.IsEmpty(b)) TakeToModel(b);
     });
     return KeepBody();
   }
@@ -86,20 +89,17 @@ class Extraction {
     });
     const std::size_t first = cells_.first_vertex[block];
     const CellSigns* const signs = cells_.signs.data() + cells_.first[block];
-    const PlacedVertices to{in_cell_.data() + first, mesh_.vertices.data() + first};
-    vertices.PlaceMeans({cells.data(), count}, signs, to);
+    vertices.PlaceMeans({cells.data(), count}, signs, mesh_.vertices.data() + first);
     if (cells_.HasSinglePieces(block)) return;
     // Cells with several pieces have more vertices, which those behind make room for.
     std::size_t vertex = cells_.first_vertex[block + 1];
     for (std::size_t i = count; i-- > 0;) {
       const CellPieces& pieces = cells_.Pieces(cells_.first[block] + i);
       vertex -= pieces.count;
-      in_cell_[vertex] = in_cell_[first + i];
       mesh_.vertices[vertex] = mesh_.vertices[first + i];
       if (pieces.count == 1) continue;
       const std::array<Vector3f, 4> means = vertices.In(cells[i], pieces);
-      for (std::size_t p = 0; p < pieces.count; ++p)
-        SetVertex(vertex + p, block, InBlock(cells[i]), means[p]);
+      for (std::size_t p = 0; p < pieces.count; ++p) mesh_.vertices[vertex + p] = means[p];
     }
   }
 
@@ -119,14 +119,14 @@ class Extraction {
       }
       which.push_back(first);
       cells.push_back(InBlock(cell));
-      places.push_back(cells.back().cast<float>() + in_cell_[first]);
+      places.push_back(cells.back().cast<float>() + mesh_.vertices[first]);
     });
     const BlockPoints points = MoveOntoSurface(*target_.field, band_, block, std::move(places));
     for (std::size_t i = 0; i < which.size(); ++i) {
       mesh_.outward[which[i]] = points.outward[i];
       const Vector3f in_cell = points.places[i] - cells[i].cast<float>();
       if (in_cell.minCoeff() < kLeastInCell || in_cell.maxCoeff() > 1 - kLeastInCell) continue;
-      SetVertex(which[i], block, cells[i], in_cell);
+      mesh_.vertices[which[i]] = in_cell;
     }
   }
 
@@ -135,21 +135,25 @@ class Extraction {
             static_cast<int>(cell % 8)};
   }
 
-  void SetVertex(std::size_t vertex, std::size_t block, const Eigen::Vector3i& cell,
-                 const Vector3f& in_cell) {
-    const Eigen::Vector3d lowest = (band_.blocks[block] + cell).cast<double>();
-    in_cell_[vertex] = in_cell;
-    mesh_.vertices[vertex] =
-        (band_.origin + band_.voxel_size * (lowest + in_cell.cast<double>())).cast<float>();
-  }
-
   void ConnectVertices(std::size_t block) {
-    const VertexPairs pairs = ConnectAroundEdges(
-        cells_, block,
-        {in_cell_.data(), mesh_.triangles.data() + 2 * std::size_t{cells_.first_quad[block]}});
+    const VertexPairs pairs =
+        ConnectAroundEdges(cells_, block,
+                           {mesh_.vertices.data(),
+                            mesh_.triangles.data() + 2 * std::size_t{cells_.first_quad[block]}});
     if (pairs.empty()) return;
     VertexPairs& all = pairs_.local();
     all.insert(all.end(), pairs.begin(), pairs.end());
+  }
+
+  void TakeToModel(std::size_t block) {
+    const bool is_single = cells_.HasSinglePieces(block);
+    std::vector<std::uint16_t> cells;  // of each vertex
+    cells.reserve(kBlockVoxels);
+    cells_.ForCells(block, [&](std::size_t cell, std::size_t number) {
+      cells.insert(cells.end(), is_single ? 1 : cells_.Pieces(number).count,
+                   static_cast<std::uint16_t>(cell));
+    });
+    PlaceInModel(band_, block, cells, mesh_.vertices.data() + cells_.first_vertex[block]);
   }
 
   Outcome<Mesh> KeepBody() {
@@ -178,7 +182,6 @@ class Extraction {
   BlockValues missing_;
   tbb::combinable<VertexPairs> pairs_;
   Mesh mesh_;
-  std::vector<Vector3f> in_cell_;
 };
 
 Outcome<Mesh> Extract(const NarrowBand& band, const Target& target, const Execution& execution) {
