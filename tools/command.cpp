@@ -8,6 +8,7 @@
 
 #include "check_command.h"
 #include "grid_plugin.h"
+#include "lascaux/base/arena.h"
 #include "lascaux/io/content_hash.h"
 #include "lascaux/io/read_file.h"
 #include "overrides.h"
@@ -164,21 +165,24 @@ Model Make(const Job& job, const CommandOptions& options, const Execution& execu
                       options.write.volume.companions.color;
   pipeline->print_warnings = any(IsPrinted);
   pipeline->print_facts = pipeline->print_warnings || any(is_report);
-  model = RunPipeline(*bytes, *pipeline, execution);
+  WriteOptions write = options.write;
+  write.name = SketchName(job.sketch);
+  write.metadata = Metadata(job.sketch, options.pipeline, *bytes);
+  OutputWriter writer(job.targets, execution);
+  model = RunPipeline(*bytes, *pipeline, execution, [&](const Model& made, Ready ready) {
+    WriteOptions of_model = write;
+    for (auto& entry : HeadMetadata(made)) of_model.metadata.push_back(std::move(entry));
+    if (write.volume.companions.color)
+      of_model.metadata.emplace_back("lascaux_colors", made.colors ? "drawing" : "parts");
+    writer.WriteModel(made, ready, of_model);
+  });
   model.file = job.sketch;
   model.timings.stages.front().second += reading.stages.front().second;
   model.timings.start = reading.start;
 
   const ExitCode code = ExitCodeOf(model.diagnostics);
   const bool diagnosed = code == ExitCode::kUnderstanding || code == ExitCode::kMesh;
-  if (code != ExitCode::kSuccess && !diagnosed) return model;
-  WriteOptions write = options.write;
-  write.metadata = Metadata(job.sketch, options.pipeline, *bytes);
-  for (auto& entry : HeadMetadata(model)) write.metadata.push_back(std::move(entry));
-  if (write.volume.companions.color)
-    write.metadata.emplace_back("lascaux_colors", model.colors ? "drawing" : "parts");
-  write.name = SketchName(job.sketch);
-  WriteOutputs(model, job.targets, write, execution);
+  if (code == ExitCode::kSuccess || diagnosed) writer.Finish(model, write);
   return model;
 }
 
@@ -189,7 +193,7 @@ ExitCode RunJob(const Job& job, const CommandOptions& options, const Execution& 
     ProgressLine line(quiet ? nullptr : stderr);
     Execution run = execution;
     run.progress = line.Callback(job.sketch);
-    model = Make(job, options, run);
+    RunInArena(run, [&] { model = Make(job, options, run); });
   }
   const ExitCode code = ExitCodeOf(model.diagnostics);
   if (code == ExitCode::kSuccess) model.diagnostics.push_back(Summary(model, job.targets));

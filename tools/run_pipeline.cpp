@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
 #include <exception>
+#include <functional>
 #include <iterator>
 #include <memory>
 #include <new>
@@ -33,8 +35,9 @@ Diagnostic NoColors() {
 /// A run: each step returns false when the run is over.
 class Run {
  public:
-  Run(std::string_view bytes, const PipelineOptions& options, const Execution& execution)
-      : bytes_(bytes), options_(options), execution_(execution) {}
+  Run(std::string_view bytes, const PipelineOptions& options, const Execution& execution,
+      const std::function<void(const Model&, Ready)>& beside_check)
+      : bytes_(bytes), options_(options), execution_(execution), beside_check_(beside_check) {}
 
   void Go() {
     if (!Read() || options_.last == LastStage::kSketch) return;
@@ -42,9 +45,7 @@ class Run {
     if (!understood || options_.last == LastStage::kCreature) return;
     if (!MakeVolume() || !MakeMesh() || !PrepareForPrint() || !TakeFewerFaces()) return;
     Settle();
-    if (!Measure()) return;
-    if (options_.print_warnings) WarnOfPrint();
-    if (options_.last == LastStage::kPreview) RenderPreview();
+    if (Check() && options_.print_warnings) WarnOfPrint();
   }
 
   Model& model() { return model_; }
@@ -184,29 +185,56 @@ class Run {
     std::move(found.begin(), found.end(), std::back_inserter(model_.diagnostics));
   }
 
-  /// Checks the mesh; beside that, all that is measured of it.
-  bool Measure() {
+  /// Checks the mesh; beside that, all that is made of it.
+  bool Check() {
     execution_.Report("checking the mesh", 0);
-    Timings check, others;
-    RunTogether(
-        execution_,
-        [&] {
-          const Stopwatch watch(check, "check");
-          model_.facts = options_.faces
-                             ? CheckMesh(*model_.mesh, execution_)
+    Timings check, others, preview;
+    Diagnostics log;
+    MeshFacts facts;  // of no concern to the others
+    const auto check_mesh = [&] {
+      const Stopwatch watch(check, "check");
+      facts = options_.faces ? CheckMesh(*model_.mesh, execution_)
                              : CheckMesh(*model_.mesh, LatticeOf(model_.grid->surface), execution_);
+    };
+    // Clay needs no details.
+    const bool is_apart = !NeedsOpenVdb(options_.preview.render);
+    RunTogether(
+        execution_, check_mesh,
+        [&] {
+          MakeDetails(others);
+          if (!is_apart) MakePreview(preview, log);
         },
         [&] {
-          if (options_.compare) Compare(others);
-          if (options_.details || options_.print_facts) AddDetails(others);
-          if (options_.print_facts) MeasurePrint(others);
+          if (is_apart) MakePreview(preview, log);
         });
-    for (const Timings& timings : {check, others})
+    model_.facts = facts;
+    for (const Timings& timings : {check, others, preview})
       for (const auto& stage : timings.stages) model_.timings.stages.push_back(stage);
     if (!Continue()) return false;
-    const Diagnostics defects = MeshDefects(*model_.facts);
-    model_.diagnostics.insert(model_.diagnostics.end(), defects.begin(), defects.end());
-    return defects.empty();
+    Log(MeshDefects(facts));
+    if (HasError(model_.diagnostics)) return false;
+    Log(std::move(log));
+    return !HasError(model_.diagnostics);
+  }
+
+  /// All that is said of the mesh, and the files that hold it.
+  void MakeDetails(Timings& timings) {
+    if (options_.compare) Compare(timings);
+    if (options_.details || options_.print_facts) AddDetails(timings);
+    if (options_.print_facts) MeasurePrint(timings);
+    Tell(Ready::kMesh);
+  }
+
+  void MakePreview(Timings& timings, Diagnostics& log) {
+    if (options_.last != LastStage::kPreview) return;
+    RenderPreview(timings, log);
+    if (model_.preview) Tell(Ready::kPreview);
+  }
+
+  void Tell(Ready ready) {
+    if (!beside_check_ || execution_.IsCancelled()) return;
+    beside_check_(model_, ready);
+    if (++told_ == 2) beside_check_(model_, Ready::kAll);
   }
 
   void Compare(Timings& timings) {
@@ -231,25 +259,23 @@ class Run {
       model_.diagnostics.push_back(std::move(warning));
   }
 
-  bool RenderPreview() {
-    const Stopwatch watch(model_.timings, "render");
-    execution_.Report("rendering the preview", 0);
+  void RenderPreview(Timings& timings, Diagnostics& log) {
+    const Stopwatch watch(timings, "render");
     RenderOptions options = options_.preview.render;
     const HeadEnd head = FindHead(model_);
     if (head == HeadEnd::kRight) options.head = Head::kRight;
     if (head == HeadEnd::kLeft) options.head = Head::kLeft;
-    std::vector<RenderOptions> shots;
     if (options.material == Material::kDrawing && !model_.colors) {
-      model_.diagnostics.push_back(NoColors());
+      log.push_back(NoColors());
       options.material = Material::kClay;
     }
+    std::vector<RenderOptions> shots;
     for (const View view : options_.preview.views) shots.emplace_back(options).view = view;
-    std::vector<Picture> pictures;
-    if (!Keep(NeedsOpenVdb(options) ? DrawGrids(shots) : DrawClay(shots), pictures)) return false;
-    const int columns = SheetColumns(static_cast<int>(pictures.size()));
+    auto pictures = (NeedsOpenVdb(options) ? DrawGrids(shots) : DrawClay(shots)).MoveInto(log);
+    if (!pictures) return;
+    const int columns = SheetColumns(static_cast<int>(pictures->size()));
     model_.preview =
-        pictures.size() == 1 ? std::move(pictures[0]) : ArrangePictures(pictures, columns);
-    return true;
+        pictures->size() == 1 ? std::move((*pictures)[0]) : ArrangePictures(*pictures, columns);
   }
 
   Outcome<std::vector<Picture>> DrawClay(const std::vector<RenderOptions>& shots) {
@@ -282,6 +308,8 @@ class Run {
   std::string_view bytes_;
   const PipelineOptions& options_;
   const Execution& execution_;
+  const std::function<void(const Model&, Ready)>& beside_check_;
+  std::atomic<int> told_ = 0;
   Model model_;
 };
 
@@ -300,8 +328,9 @@ Diagnostic OutOfMemory(const Model& model, const PipelineOptions& options) {
 }  // namespace
 
 Model RunPipeline(std::string_view bytes, const PipelineOptions& options,
-                  const Execution& execution) {
-  Run run(bytes, options, execution);
+                  const Execution& execution,
+                  const std::function<void(const Model&, Ready)>& beside_check) {
+  Run run(bytes, options, execution, beside_check);
   try {
     run.Go();
   } catch (const std::bad_alloc&) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,13 @@ enum class LastStage : std::uint8_t {
   kCreature,  ///< the drawing is understood: parts, depth, skeletons
   kMesh,      ///< the model is built and measured
   kPreview,   ///< and a picture of it is rendered
+};
+
+/// What of a model may be read while it is being checked.
+enum class Ready : std::uint8_t {
+  kMesh,     ///< the level set, and the mesh with its details
+  kPreview,  ///< the preview
+  kAll,      ///< both
 };
 
 /// How the model meets the drawing's outline.
@@ -77,7 +85,11 @@ struct PipelineOptions {
 ///
 /// A mesh that is not printable is an error "mesh-not-printable" and stays in the model with its
 /// facts.
+///
+/// `beside_check` is called while the mesh is checked, which may still find an error: the time to
+/// write files. It is called once for each Ready that the run comes to, some side by side.
 Model RunPipeline(std::string_view bytes, const PipelineOptions& options,
-                  const Execution& execution = {});
+                  const Execution& execution = {},
+                  const std::function<void(const Model&, Ready)>& beside_check = {});
 
 }  // namespace lascaux

@@ -6,21 +6,20 @@
 
 #include <cstddef>
 
+#include "lascaux/base/arena.h"
 #include "lascaux/base/execution.h"
 
 namespace lascaux {
 
-/// Runs both, side by side where the execution has more than one thread. What one throws comes out
-/// when both are over.
-template <typename First, typename Second>
-void RunTogether(const Execution& execution, const First& first, const Second& second) {
+/// Runs all, side by side where the execution has more than one thread: the first and the last
+/// begin. What one throws comes out when all are over.
+template <typename... Works>
+void RunTogether(const Execution& execution, const Works&... works) {
   if (execution.threads == 1) {
-    first();
-    second();
+    (works(), ...);
     return;
   }
-  tbb::task_arena arena(execution.threads > 0 ? execution.threads : tbb::task_arena::automatic);
-  arena.execute([&] { tbb::parallel_invoke(first, second); });
+  RunInArena(execution, [&] { tbb::parallel_invoke(works...); });
 }
 
 /// Runs work(0) to work(count - 1), side by side where the execution has more than one thread.
@@ -30,8 +29,7 @@ void ForEachTogether(const Execution& execution, std::size_t count, const Work& 
     for (std::size_t i = 0; i < count; ++i) work(i);
     return;
   }
-  tbb::task_arena arena(execution.threads > 0 ? execution.threads : tbb::task_arena::automatic);
-  arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, work); });
+  RunInArena(execution, [&] { tbb::parallel_for(std::size_t{0}, count, work); });
 }
 
 /// Starts the threads that later work will be shared with. Until it has started, which takes a few

@@ -3,15 +3,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <iterator>
-#include <optional>
+#include <utility>
 
 #include "curves_file.h"
 #include "grid.h"
 #include "grid_plugin.h"
-#include "lascaux/io/output_file.h"
-#include "lascaux/io/stream_file.h"
 #include "lascaux/io/write_3mf.h"
 #include "lascaux/io/write_band_vdb.h"
 #include "lascaux/io/write_glb.h"
@@ -128,66 +127,91 @@ struct Writer {
   }
 };
 
-/// Moves diagnostics into the model; false when one of them is an error.
-bool Log(Diagnostics found, Model& model) {
-  const bool good = !HasError(found);
-  model.diagnostics.insert(model.diagnostics.end(), std::make_move_iterator(found.begin()),
-                           std::make_move_iterator(found.end()));
-  return good;
-}
-
-bool Interrupted(const Execution& execution, Model& model) {
-  if (!execution.IsCancelled()) return false;
-  return !Log({Error(FailureKind::kInterrupted, "cancelled", "interrupted; nothing was written")},
-              model);
+void Append(Diagnostics found, Diagnostics& log) {
+  std::move(found.begin(), found.end(), std::back_inserter(log));
 }
 
 }  // namespace
 
-void WriteOutputs(Model& model, const std::vector<OutputTarget>& targets,
-                  const WriteOptions& options, const Execution& execution) {
-  const bool failed = HasError(model.diagnostics);
-  const Writer writer{model, targets, options, execution};
-  OutputSet files;
-  std::optional<StreamFile> stream;
-  const auto add = [&](const OutputTarget& target) {
-    return IsStandardOutput(target) ? stream.emplace().path() : files.Add(target.path);
+template <typename Is>
+OutputWriter::Numbered OutputWriter::Chosen(const Is& is) const {
+  Numbered chosen;
+  for (std::size_t i = 0; i < targets_.size(); ++i)
+    if (is(targets_[i].kind)) chosen.push_back(i);
+  return chosen;
+}
+
+/// The stand-in of a target.
+Outcome<fs::path> OutputWriter::Add(const OutputTarget& target) {
+  const std::lock_guard lock(adding_);
+  return IsStandardOutput(target) ? stream_.emplace().path() : files_.Add(target.path);
+}
+
+void OutputWriter::Write(const Model& model, const WriteOptions& options, const Numbered& chosen) {
+  const auto start = std::chrono::steady_clock::now();
+  const Writer writer{model, targets_, options, execution_};
+  ForEachTogether(execution_, chosen.size(), [&](std::size_t k) {
+    const OutputTarget& target = targets_[chosen[k]];
+    Diagnostics& found = found_[chosen[k]];
+    if (const auto path = Add(target).MoveInto(found))
+      Append(InNameOf(target.path, *path, writer.Write(target, *path)), found);
+  });
+  writing_ += MillisecondsSince(start);
+}
+
+/// What was found since the last call, in the targets' order up to the first error: a full disk is
+/// one.
+Diagnostics OutputWriter::TakeLog() {
+  Diagnostics log;
+  for (Diagnostics& found : found_) {
+    if (!HasError(log)) Append(std::move(found), log);
+    found.clear();
+  }
+  return log;
+}
+
+void OutputWriter::WriteModel(const Model& model, Ready ready, const WriteOptions& options) {
+  const auto needed = [](OutputKind kind) {
+    if (kind == OutputKind::k3mf) return Ready::kAll;  // it holds a thumbnail
+    return IsPicture(kind) ? Ready::kPreview : Ready::kMesh;
   };
-  const auto is_report = [](const OutputTarget& t) { return t.kind == OutputKind::kReport; };
-  // Side by side; what they say, in order.
-  const auto write = [&](const std::vector<OutputTarget>& chosen) {
-    std::vector<fs::path> paths;
-    for (const OutputTarget& target : chosen) {
-      auto path = add(target).MoveInto(model.diagnostics);
-      if (!path) return false;
-      paths.push_back(std::move(*path));
+  Write(model, options,
+        Chosen([&](OutputKind kind) { return IsModel(kind) && needed(kind) == ready; }));
+}
+
+void OutputWriter::Finish(Model& model, const WriteOptions& options) {
+  const auto is_report = [](OutputKind kind) { return kind == OutputKind::kReport; };
+  if (HasError(model.diagnostics)) {  // nobody is to see the model's files
+    files_ = {};
+    stream_.reset();
+    TakeLog();
+  }
+  const auto go_on = [&] {
+    Diagnostics log = TakeLog();
+    if (!HasError(log) && execution_.IsCancelled()) {
+      log.push_back(
+          Error(FailureKind::kInterrupted, "cancelled", "interrupted; nothing was written"));
     }
-    std::vector<Diagnostics> found(chosen.size());
-    ForEachTogether(execution, chosen.size(),
-                    [&](std::size_t i) { found[i] = writer.Write(chosen[i], paths[i]); });
-    for (std::size_t i = 0; i < chosen.size(); ++i)
-      if (!Log(InNameOf(chosen[i].path, paths[i], std::move(found[i])), model)) return false;
-    return !Interrupted(execution, model);
+    const bool good = !HasError(log);
+    Append(std::move(log), model.diagnostics);
+    return good;
   };
-  std::vector<OutputTarget> files_of_model, reports;
-  for (const OutputTarget& target : targets) {
-    if (is_report(target))
-      reports.push_back(target);
-    else if (!(failed && IsModel(target.kind)))
-      files_of_model.push_back(target);
-  }
-  {
-    const Stopwatch watch(model.timings, "write");
-    if (!write(files_of_model)) return;
-  }
-  model.timings.total = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() -
-                                                                  model.timings.start)
-                            .count();
-  if (!write(reports)) return;  // last: they hold what the others had to say
+  Write(model, options,
+        Chosen([&](OutputKind kind) { return !IsModel(kind) && !is_report(kind); }));
+  model.timings.stages.emplace_back("write", writing_);
+  model.timings.total = MillisecondsSince(model.timings.start);
+  if (!go_on()) return;
+  Write(model, options, Chosen(is_report));  // last: they hold what the others had to say
+  if (!go_on()) return;
   // First what may fail with somebody else: files that appear can't be told from those of a
   // success.
-  if (stream && !Log(stream->SendTo(STDOUT_FILENO), model)) return;
-  Log(files.Commit(), model);
+  if (stream_) {
+    Diagnostics sent = stream_->SendTo(STDOUT_FILENO);
+    const bool good = !HasError(sent);
+    Append(std::move(sent), model.diagnostics);
+    if (!good) return;
+  }
+  Append(files_.Commit(), model.diagnostics);
 }
 
 }  // namespace lascaux

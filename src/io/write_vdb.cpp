@@ -15,9 +15,9 @@
 #include <type_traits>
 
 #include "io/vdb_conventions.h"
+#include "lascaux/base/arena.h"
 #include "lascaux/io/output_file.h"
 #include "lascaux/volume/narrow_band.h"
-#include "volume/arena.h"
 
 namespace lascaux {
 namespace {

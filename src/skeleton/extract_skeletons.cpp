@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
 #include <optional>
 #include <utility>
 
+#include "lascaux/base/arena.h"
 #include "lascaux/skeleton/skeleton.h"
 #include "skeleton/built_parts.h"
 #include "skeleton/extend_outline.h"
@@ -114,8 +114,7 @@ Outcome<std::vector<Skeleton>> ExtractSkeletons(const Parts& parts, const DepthG
   }
   const double spacing = options.sample_spacing * DrawingDiagonal(parts);
   std::vector<std::optional<Skeleton>> found(todo.size());
-  tbb::task_arena arena(execution.threads > 0 ? execution.threads : tbb::task_arena::automatic);
-  arena.execute([&] {
+  RunInArena(execution, [&] {
     tbb::parallel_for(std::size_t{0}, todo.size(), [&](std::size_t i) {
       const int part = todo[i];
       const std::optional<int> parent = graph.nodes[Index(part)].parent;

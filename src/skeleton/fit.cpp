@@ -1,11 +1,11 @@
 #include "lascaux/skeleton/fit.h"
 
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <utility>
 
+#include "lascaux/base/arena.h"
 #include "skeleton/check_creature.h"
 #include "skeleton/extend_outline.h"
 #include "skeleton/fit_part.h"
@@ -58,8 +58,7 @@ Outcome<Creature> FitToDrawing(const Parts& parts, const Creature& creature,
     return Outcome<Creature>::Failure(std::move(wrong));
   }
   Creature fitted = creature;
-  tbb::task_arena arena(execution.threads > 0 ? execution.threads : tbb::task_arena::automatic);
-  arena.execute([&] {
+  RunInArena(execution, [&] {
     tbb::parallel_for(std::size_t{0}, creature.parts.size(), [&](std::size_t i) {
       if (execution.IsCancelled()) return;
       fitted.parts[i].chains =

@@ -1,7 +1,6 @@
 #include "lascaux/skeleton/normalise_outline.h"
 
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
@@ -12,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "lascaux/base/arena.h"
 #include "lascaux/field/compiled_field.h"
 #include "skeleton/index.h"
 #include "skeleton/smoothstep.h"
@@ -414,8 +414,7 @@ std::optional<PlanarGain> GainOf(const Field& field, const DrawnOutline& drawn, 
 Field NormaliseOutline(Field field, const DrawnOutline& drawn, const Execution& execution) {
   const double diagonal = drawn.frame.scale * BuiltBox(drawn.parts, drawn.graph).diagonal().norm();
   if (!(diagonal > 0)) return field;
-  tbb::task_arena arena(execution.threads > 0 ? execution.threads : tbb::task_arena::automatic);
-  arena.execute([&] { field.gain = GainOf(field, drawn, diagonal); });
+  RunInArena(execution, [&] { field.gain = GainOf(field, drawn, diagonal); });
   return field;
 }
 

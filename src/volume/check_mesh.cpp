@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "base/union_find.h"
-#include "volume/arena.h"
+#include "lascaux/base/arena.h"
 #include "volume/corner_table.h"
 #include "volume/edges.h"
 #include "volume/exact_predicates.h"

@@ -9,7 +9,7 @@
 #include <new>
 #include <optional>
 
-#include "volume/arena.h"
+#include "lascaux/base/arena.h"
 #include "volume/block_quads.h"
 #include "volume/cell_shells.h"
 #include "volume/cell_vertices.h"

@@ -8,8 +8,8 @@
 #include <memory>
 #include <utility>
 
+#include "lascaux/base/arena.h"
 #include "lascaux/volume/extract_mesh.h"
-#include "volume/arena.h"
 
 namespace lascaux {
 namespace {

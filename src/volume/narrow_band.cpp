@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
+#include "lascaux/base/arena.h"
 #include "lascaux/field/compiled_field.h"
-#include "volume/arena.h"
 #include "volume/available_memory.h"
 #include "volume/band.h"
 #include "volume/find_blocks.h"

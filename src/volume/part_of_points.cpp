@@ -10,8 +10,8 @@
 #include <optional>
 #include <utility>
 
+#include "lascaux/base/arena.h"
 #include "lascaux/field/compiled_field.h"
-#include "volume/arena.h"
 #include "volume/point_cells.h"
 
 namespace lascaux {

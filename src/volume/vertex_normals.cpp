@@ -11,8 +11,8 @@
 #include <span>
 #include <utility>
 
+#include "lascaux/base/arena.h"
 #include "lascaux/field/compiled_field.h"
-#include "volume/arena.h"
 #include "volume/point_cells.h"
 
 namespace lascaux {

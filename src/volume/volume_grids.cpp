@@ -12,9 +12,9 @@
 #include <string_view>
 #include <utility>
 
+#include "lascaux/base/arena.h"
 #include "lascaux/volume/level_set.h"
 #include "lascaux/volume/part_of_points.h"
-#include "volume/arena.h"
 
 namespace lascaux {
 namespace {

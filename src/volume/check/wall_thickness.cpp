@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "volume/arena.h"
+#include "lascaux/base/arena.h"
 #include "volume/check/thin_regions.h"
 #include "volume/check/triangle_grid.h"
 

@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-#include "volume/arena.h"
+#include "lascaux/base/arena.h"
 #include "volume/color/side_view.h"
 #include "volume/render/distance_transform.h"
 

@@ -10,7 +10,7 @@
 #include <numeric>
 #include <utility>
 
-#include "volume/arena.h"
+#include "lascaux/base/arena.h"
 #include "volume/measure/nearest_piece.h"
 #include "volume/measure/outline.h"
 #include "volume/measure/scan.h"

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <utility>
 
+#include "lascaux/base/arena.h"
 #include "lascaux/volume/level_set.h"
-#include "volume/arena.h"
 #include "volume/print/hollow.h"
 #include "volume/print/plate.h"
 #include "volume/print/stamp.h"

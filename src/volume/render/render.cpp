@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "volume/arena.h"
+#include "lascaux/base/arena.h"
 #include "volume/render/draw_picture.h"
 #include "volume/render/painter.h"
 #include "volume/render/scene.h"
