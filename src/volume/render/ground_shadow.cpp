@@ -12,17 +12,10 @@ namespace {
 
 constexpr int kTexels = 176;        // along the longer side
 constexpr float kSurround = 0.54F;  // of the model's size, around it: shadows have faded there
-constexpr float kKeyShare = 0.44F;  // of the floor's light that comes from the key light
-constexpr float kSkyShare = 0.62F;  // of what is left, as far as the model can hide it
 
 float Smooth(float t) {
   t = std::clamp(t, 0.F, 1.F);
   return t * t * (3 - 2 * t);
-}
-
-float ShadowAt(const Studio& studio, const Eigen::Vector3f& p) {
-  const float key = studio.KeyVisibility(p, 0.01F * studio.size());
-  return 1 - (1 - kKeyShare * (1 - key)) * (1 - kSkyShare * studio.Contact(p));
 }
 
 }  // namespace
@@ -39,15 +32,19 @@ GroundShadow::GroundShadow(const Studio& studio, const CoarseField& coarse)
   depth_ = static_cast<int>(extent.y() / texel_) + 2;
   shadow_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(depth_));
   tbb::parallel_for(tbb::blocked_range<int>(0, depth_), [&](const auto& rows) {
+    std::vector<Eigen::Vector2f> places(static_cast<std::size_t>(width_));
     for (int z = rows.begin(); z < rows.end(); ++z) {
       for (int x = 0; x < width_; ++x) {
-        const Eigen::Vector2f place =
+        places[static_cast<std::size_t>(x)] =
             low_ + texel_ * Eigen::Vector2f(static_cast<float>(x), static_cast<float>(z));
+      }
+      const std::vector<float> shadow = studio.FloorShadow(places);
+      for (int x = 0; x < width_; ++x) {
         // Fades before the raster ends, however the model stands.
         const int inset = std::min({x, z, width_ - 1 - x, depth_ - 1 - z});
         const float edge = static_cast<float>(inset) * texel_ / surround;
         shadow_[static_cast<std::size_t>(z * width_ + x)] =
-            Smooth(1.4F * edge) * ShadowAt(studio, {place.x(), ground_, place.y()});
+            Smooth(1.4F * edge) * shadow[static_cast<std::size_t>(x)];
       }
     }
   });

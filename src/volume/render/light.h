@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <span>
+#include <vector>
 
 #include "volume/render/camera.h"
 #include "volume/render/coarse_field.h"
@@ -34,11 +36,20 @@ struct Lighting {
   Lighting operator*(float n) const noexcept { return {key * n, rim * n, ambient * n}; }
 };
 
+/// A place on the surface.
+struct Sample {
+  Eigen::Vector3f place, normal;
+};
+
 /// A place on the surface as the camera sees it.
 struct Facet {
   Eigen::Vector3f normal, to_eye;
   Color albedo;  ///< share of light that it throws back
 };
+
+/// How far light creeps around the terminator, by colour: red goes deepest in clay as in skin.
+inline const Color kWrap(0.30F, 0.22F, 0.17F);
+inline constexpr float kRimWrap = 0.15F;
 
 /// The lights' places, fixed to the camera so that every view is lit alike, and what they see of
 /// the model.
@@ -47,28 +58,22 @@ class Studio {
   /// Both must outlive it.
   Studio(const CoarseField& coarse, const Camera& camera);
 
-  /// What reaches a place on the surface. It varies slowly, and costs most.
-  Lighting Gather(const Eigen::Vector3f& p, const Eigen::Vector3f& normal) const noexcept;
+  /// What reaches places on the surface. It varies slowly, and costs most. Eight are looked at
+  /// at once.
+  std::vector<Lighting> Gather(std::span<const Sample> samples) const;
 
   /// Light that a place sends towards the camera.
   Color Shade(const Lighting& lighting, const Facet& facet) const noexcept;
 
-  /// Share of the key light, 0 to 1, that reaches a place; `lift` voxels are left out at its
-  /// beginning.
-  float KeyVisibility(const Eigen::Vector3f& p, float lift) const noexcept;
-
-  /// Share of a cone of half angle about 30 degrees that is free, weighted towards near obstacles.
-  float ConeVisibility(const Eigen::Vector3f& p, const Eigen::Vector3f& direction) const noexcept;
-
-  /// How close the model is above a place on the floor, 0 to 1: round and without directions.
-  float Contact(const Eigen::Vector3f& p) const noexcept;
+  /// Share of the floor's light, 0 to 1, that the model keeps away from places (x, z) on it.
+  std::vector<float> FloorShadow(std::span<const Eigen::Vector2f> places) const;
 
   /// Size of the model in voxels, which all lengths of light are relative to.
   float size() const noexcept { return size_; }
   float ground() const noexcept { return coarse_->ground(); }
 
  private:
-  Color Ambient(const Eigen::Vector3f& p, const Eigen::Vector3f& normal) const noexcept;
+  friend class LightLanes;
 
   const CoarseField* coarse_;
   const Camera* camera_;

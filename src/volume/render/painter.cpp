@@ -73,10 +73,8 @@ std::size_t Painter::QuadIndex(int x, int y) const noexcept {
          static_cast<std::size_t>(x / kQuad);
 }
 
-/// Blocks begin at multiples of their size.
-std::size_t Painter::InBlock(int x, int y) noexcept {
-  return static_cast<std::size_t>(y % kBlock * kBlock + x % kBlock);
-}
+/// Strips begin at multiples of a block's size.
+std::size_t Painter::InStrip(int x, int y) const noexcept { return Index(x, y % kBlock); }
 
 template <typename PerPart>
 void Painter::ForParts(const Block& block, int size, const PerPart& per_part) {
@@ -87,25 +85,24 @@ void Painter::ForParts(const Block& block, int size, const PerPart& per_part) {
   }
 }
 
-template <typename PerBlock>
-void Painter::ForBlocks(const PerBlock& per_block) {
-  const int rows = (height_ + kBlock - 1) / kBlock;
-  tbb::parallel_for(tbb::blocked_range<int>(0, rows), [&](const auto& range) {
-    const Block band{0, range.begin() * kBlock, width_, std::min(range.end() * kBlock, height_)};
-    ForParts(band, kBlock, per_block);
+template <typename PerStrip>
+void Painter::ForStrips(const PerStrip& per_strip) {
+  const int strips = (height_ + kBlock - 1) / kBlock;
+  tbb::parallel_for(0, strips, [&](int i) {
+    per_strip(Block{0, i * kBlock, width_, std::min((i + 1) * kBlock, height_)});
   });
 }
 
 void Painter::PaintMiddles() {
-  ForBlocks([this](const Block& block) {
-    TraceBlock(block);
-    const BlockLighting lighting = GatherBlock(block);
-    ForParts(block, 1, [&](const Block& pixel) {
+  ForStrips([this](const Block& strip) {
+    TraceStrip(strip);
+    const StripLighting lighting = GatherStrip(strip);
+    ForParts(strip, 1, [&](const Block& pixel) {
       const int x = pixel.left, y = pixel.top;
       const std::size_t i = Index(x, y);
       Put(x, y,
           samples_[i]
-              ? scene_.ModelLight(*samples_[i], lighting[InBlock(x, y)], Middle(x), Middle(y))
+              ? scene_.ModelLight(*samples_[i], lighting[InStrip(x, y)], Middle(x), Middle(y))
               : scene_.BackdropLight(Middle(x), Middle(y)));
       PutLayers(x, y);
     });
@@ -113,82 +110,129 @@ void Painter::PaintMiddles() {
 }
 
 void Painter::PaintEdges() {
-  ForBlocks([this](const Block& block) {
-    std::vector<Block> edges;
-    std::vector<Place> places;
-    ForParts(block, kQuad, [&](const Block& quad) {
-      const float free = free_[QuadIndex(quad.left, quad.top)];
-      if (!(free < kNothing)) return;  // no ray in it meets anything
-      ForParts(quad, 1, [&](const Block& pixel) {
-        if (!IsEdge(pixel.left, pixel.top)) return;
-        edges.push_back(pixel);
-        for (const auto& [dx, dy] : kEdgePlaces) {
-          places.push_back(
-              {static_cast<float>(pixel.left) + dx, static_cast<float>(pixel.top) + dy, free});
-        }
-      });
-    });
-    const std::vector<std::optional<Sample>> samples = scene_.Trace(places);
-    constexpr std::size_t kCount = kEdgePlaces.size();
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-      Put(edges[i].left, edges[i].top,
-          EdgeLight(std::span(places).subspan(kCount * i, kCount),
-                    std::span(samples).subspan(kCount * i, kCount)));
-    }
-  });
+  ForStrips([this](const Block& strip) { PaintEdgesOf(strip); });
 }
 
-void Painter::TraceBlock(const Block& block) {
+void Painter::PaintEdgesOf(const Block& strip) {
+  std::vector<Block> edges;
+  std::vector<Place> places;
+  ForParts(strip, kQuad, [&](const Block& quad) {
+    const float free = free_[QuadIndex(quad.left, quad.top)];
+    if (!(free < kNothing)) return;  // no ray in it meets anything
+    ForParts(quad, 1, [&](const Block& pixel) {
+      if (!IsEdge(pixel.left, pixel.top)) return;
+      edges.push_back(pixel);
+      for (const auto& [dx, dy] : kEdgePlaces) {
+        places.push_back(
+            {static_cast<float>(pixel.left) + dx, static_cast<float>(pixel.top) + dy, free});
+      }
+    });
+  });
+  const std::vector<Light> light = LightOf(places, scene_.Trace(places));
+  for (std::size_t i = 0; i < edges.size(); ++i) Put(edges[i].left, edges[i].top, light[i]);
+}
+
+/// Mean over the places of each pixel; each sheet in it is lit once, since light varies little
+/// within a pixel.
+std::vector<Light> Painter::LightOf(std::span<const Place> places,
+                                    std::span<const std::optional<Sample>> samples) const {
+  constexpr std::size_t kCount = kEdgePlaces.size();
+  std::vector<std::size_t> first(samples.size());  // place on the same sheet
+  std::vector<Sample> sheets;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    first[i] = i / kCount * kCount;
+    while (first[i] < i &&
+           !(first[first[i]] == first[i] && OnOneSheet(samples[first[i]], samples[i])))
+      ++first[i];
+    if (first[i] == i && samples[i]) sheets.push_back(*samples[i]);
+  }
+  const std::vector<Lighting> lighting = scene_.Gather(sheets);
+  std::vector<Light> light(samples.size()), mean(samples.size() / kCount, Light::Zero());
+  for (std::size_t i = 0, sheet = 0; i < samples.size(); ++i) {
+    const auto& [x, y, free] = places[i];
+    if (first[i] == i) {
+      light[i] = samples[i] ? scene_.ModelLight(*samples[i], lighting[sheet++], x, y)
+                            : scene_.BackdropLight(x, y);
+    }
+    mean[i / kCount] += light[first[i]];
+  }
+  for (Light& l : mean) l /= static_cast<float>(kCount);
+  return mean;
+}
+
+void Painter::TraceStrip(const Block& strip) {
   const auto free_length = [this](const Block& part, int size, float from) {
     const float half = 0.5F * static_cast<float>(size);
     return scene_.FreeLength(static_cast<float>(part.left) + half,
                              static_cast<float>(part.top) + half, half, from);
   };
-  const float free = free_length(block, kBlock, 0);
   std::vector<Place> places;
   std::vector<std::size_t> pixels;
-  ForParts(block, kQuad, [&](const Block& quad) {
-    const float quad_free = free < kNothing ? free_length(quad, kQuad, free) : kNothing;
-    free_[QuadIndex(quad.left, quad.top)] = quad_free;
-    if (!(quad_free < kNothing)) return;
-    ForParts(quad, 1, [&](const Block& pixel) {
-      places.push_back({Middle(pixel.left), Middle(pixel.top), quad_free});
-      pixels.push_back(Index(pixel.left, pixel.top));
+  ForParts(strip, kBlock, [&](const Block& block) {
+    const float free = free_length(block, kBlock, 0);
+    ForParts(block, kQuad, [&](const Block& quad) {
+      const float quad_free = free < kNothing ? free_length(quad, kQuad, free) : kNothing;
+      free_[QuadIndex(quad.left, quad.top)] = quad_free;
+      if (!(quad_free < kNothing)) return;
+      ForParts(quad, 1, [&](const Block& pixel) {
+        places.push_back({Middle(pixel.left), Middle(pixel.top), quad_free});
+        pixels.push_back(Index(pixel.left, pixel.top));
+      });
     });
   });
   const std::vector<std::optional<Sample>> found = scene_.Trace(places);
   for (std::size_t i = 0; i < found.size(); ++i) samples_[pixels[i]] = found[i];
 }
 
-/// Gathers light at a lattice of pixels, and between them blends those on the same sheet: light
-/// that comes from large areas varies slowly.
-Painter::BlockLighting Painter::GatherBlock(const Block& block) const {
-  BlockLighting lighting;
+/// Gathers light at a lattice of each block's pixels, and between them blends those on the same
+/// sheet: light that comes from large areas varies slowly.
+Painter::StripLighting Painter::GatherStrip(const Block& strip) const {
   const auto is_node = [](int i, int begin, int end) {
     return (i - begin) % kLattice == 0 || i == end - 1;
   };
-  ForParts(block, 1, [&](const Block& pixel) {
-    if (is_node(pixel.left, block.left, block.right) &&
-        is_node(pixel.top, block.top, block.bottom)) {
-      const auto& sample = samples_[Index(pixel.left, pixel.top)];
-      if (sample) lighting[InBlock(pixel.left, pixel.top)] = scene_.Gather(*sample);
-    }
+  std::vector<Block> nodes, others;
+  const auto for_seen = [&](const auto& use) {
+    ForParts(strip, kBlock, [&](const Block& block) {
+      ForParts(block, 1, [&](const Block& pixel) {
+        if (!samples_[Index(pixel.left, pixel.top)]) return;
+        use(block, pixel,
+            is_node(pixel.left, block.left, block.right) &&
+                is_node(pixel.top, block.top, block.bottom));
+      });
+    });
+  };
+  for_seen([&](const Block&, const Block& pixel, bool node) {
+    if (node) nodes.push_back(pixel);
   });
-  ForParts(block, 1, [&](const Block& pixel) {
+  StripLighting lighting(static_cast<std::size_t>(width_) * kBlock);
+  GatherAt(nodes, lighting);
+  for_seen([&](const Block& block, const Block& pixel, bool node) {
+    if (node) return;
     const int x = pixel.left, y = pixel.top;
-    const bool node = is_node(x, block.left, block.right) && is_node(y, block.top, block.bottom);
-    if (node || !samples_[Index(x, y)]) return;
     const int left = x - (x - block.left) % kLattice, top = y - (y - block.top) % kLattice;
     const Block cell{left, top, std::min(left + kLattice, block.right - 1),
                      std::min(top + kLattice, block.bottom - 1)};
-    lighting[InBlock(x, y)] = BlendedLighting(x, y, cell, lighting);
+    if (const auto blended = BlendedLighting(x, y, cell, lighting))
+      lighting[InStrip(x, y)] = *blended;
+    else
+      others.push_back(pixel);
   });
+  GatherAt(others, lighting);
   return lighting;
 }
 
-/// Bilinear between the cell's corners, those on other sheets left out.
-Lighting Painter::BlendedLighting(int x, int y, const Block& cell,
-                                  const BlockLighting& lighting) const {
+void Painter::GatherAt(const std::vector<Block>& pixels, StripLighting& lighting) const {
+  std::vector<Sample> samples;
+  for (const Block& pixel : pixels) samples.push_back(*samples_[Index(pixel.left, pixel.top)]);
+  const std::vector<Lighting> found = scene_.Gather(samples);
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    lighting[InStrip(pixels[i].left, pixels[i].top)] = found[i];
+}
+
+/// Bilinear between the cell's corners, those on other sheets left out; nothing where too little is
+/// left.
+std::optional<Lighting> Painter::BlendedLighting(int x, int y, const Block& cell,
+                                                 const StripLighting& lighting) const {
   const auto& here = samples_[Index(x, y)];
   const auto share = [](int i, int low, int high) {
     return high > low ? static_cast<float>(i - low) / static_cast<float>(high - low) : 0.F;
@@ -202,10 +246,10 @@ Lighting Painter::BlendedLighting(int x, int y, const Block& cell,
                                        {cell.right, cell.bottom, u * v}}) {
     const std::size_t there = Index(nx, ny);
     if (weight == 0 || !OnOneSheet(here, samples_[there], kSmoothCosine)) continue;
-    sum += lighting[InBlock(nx, ny)] * weight;
+    sum += lighting[InStrip(nx, ny)] * weight;
     total += weight;
   }
-  if (total < kLeastShare) return scene_.Gather(*here);
+  if (total < kLeastShare) return std::nullopt;
   return sum * (1 / total);
 }
 
@@ -215,32 +259,6 @@ bool Painter::IsEdge(int x, int y) const {
          (x + 1 < width_ && !OnOneSheet(here, samples_[Index(x + 1, y)])) ||
          (y > 0 && !OnOneSheet(here, samples_[Index(x, y - 1)])) ||
          (y + 1 < height_ && !OnOneSheet(here, samples_[Index(x, y + 1)]));
-}
-
-/// Mean over a pixel's places; each sheet in it is lit once, since light varies little within a
-/// pixel.
-Light Painter::EdgeLight(std::span<const Place> places,
-                         std::span<const std::optional<Sample>> samples) const {
-  std::array<std::size_t, kEdgePlaces.size()> first;  // sample of each sheet
-  std::array<Light, kEdgePlaces.size()> light;
-  std::size_t count = 0;
-  Light sum = Light::Zero();
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const auto end = first.begin() + static_cast<std::ptrdiff_t>(count);
-    const auto known = std::find_if(first.begin(), end, [&](std::size_t other) {
-      return OnOneSheet(samples[other], samples[i]);
-    });
-    const auto sheet = static_cast<std::size_t>(known - first.begin());
-    if (known == end) {
-      ++count;
-      first[sheet] = i;
-      const auto& [x, y, free] = places[i];
-      light[sheet] = samples[i] ? scene_.ModelLight(*samples[i], scene_.Gather(*samples[i]), x, y)
-                                : scene_.BackdropLight(x, y);
-    }
-    sum += light[sheet];
-  }
-  return sum / static_cast<float>(samples.size());
 }
 
 void Painter::Put(int x, int y, const Light& light) {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "lascaux/volume/picture.h"
@@ -12,7 +12,7 @@ namespace lascaux {
 /// Paints a picture in two rounds: one ray through the middle of each pixel, then eight where
 /// neighbours differ.
 ///
-/// Blocks of pixels are independent within a round, so the picture does not depend on the number of
+/// Rows of blocks are independent within a round, so the picture does not depend on the number of
 /// threads.
 class Painter {
  public:
@@ -24,29 +24,33 @@ class Painter {
   Picture TakePicture();
 
  private:
-  /// A square of pixels; `right` and `bottom` are past its end.
+  /// A rectangle of pixels; `right` and `bottom` are past its end.
   struct Block {
     int left, top, right, bottom;
   };
-  static constexpr int kBlock = 8;  ///< pixels that share the way through empty space, and a task
-  using BlockLighting = std::array<Lighting, kBlock * kBlock>;
+  static constexpr int kBlock = 8;  ///< pixels that share the way through empty space
+  /// Of each pixel of a strip, which is a row of blocks.
+  using StripLighting = std::vector<Lighting>;
 
-  template <typename PerBlock>
-  void ForBlocks(const PerBlock& per_block);
+  template <typename PerStrip>
+  void ForStrips(const PerStrip& per_strip);
   /// Cuts a block in squares of `size` pixels.
   template <typename PerPart>
   static void ForParts(const Block& block, int size, const PerPart& per_part);
 
-  void TraceBlock(const Block& block);
-  BlockLighting GatherBlock(const Block& block) const;
-  Lighting BlendedLighting(int x, int y, const Block& cell, const BlockLighting& lighting) const;
+  void TraceStrip(const Block& strip);
+  StripLighting GatherStrip(const Block& strip) const;
+  void GatherAt(const std::vector<Block>& pixels, StripLighting& lighting) const;
+  std::optional<Lighting> BlendedLighting(int x, int y, const Block& cell,
+                                          const StripLighting& lighting) const;
   bool IsEdge(int x, int y) const;
-  Light EdgeLight(std::span<const Place> places,
-                  std::span<const std::optional<Sample>> samples) const;
+  void PaintEdgesOf(const Block& strip);
+  std::vector<Light> LightOf(std::span<const Place> places,
+                             std::span<const std::optional<Sample>> samples) const;
   void Put(int x, int y, const Light& light);
   void PutLayers(int x, int y);
 
-  static std::size_t InBlock(int x, int y) noexcept;
+  std::size_t InStrip(int x, int y) const noexcept;
   std::size_t Index(int x, int y) const noexcept;
   std::size_t QuadIndex(int x, int y) const noexcept;
 

@@ -15,11 +15,6 @@
 
 namespace lascaux {
 
-/// Where a ray met the model.
-struct Sample {
-  Eigen::Vector3f place, normal;
-};
-
 /// A place in the picture, in pixels.
 struct Place {
   float x, y;
@@ -39,8 +34,8 @@ class Scene {
   /// What is seen at each place.
   std::vector<std::optional<Sample>> Trace(std::span<const Place> places) const;
 
-  Lighting Gather(const Sample& sample) const noexcept {
-    return studio_.Gather(sample.place, sample.normal);
+  std::vector<Lighting> Gather(std::span<const Sample> samples) const {
+    return studio_.Gather(samples);
   }
 
   /// Light of the picture where the model is seen, and where it is not.
