@@ -1,3 +1,6 @@
+#include <cstddef>
+#include <cstdlib>
+
 /// @file
 /// How jemalloc treats the program's memory; it reads this symbol when the program starts.
 ///
@@ -11,3 +14,16 @@ const char* const malloc_conf =
     "thp:always,metadata_thp:always,narenas:1,oversize_threshold:0,"
     "dirty_decay_ms:1000,muzzy_decay_ms:0";
 }
+
+namespace {
+
+/// jemalloc asks the system for little at first, which is in no page of 2 MB. One large piece,
+/// whose pages nobody has touched, is what it cuts all others from.
+const bool kReserved = [] {
+  constexpr std::size_t kBytes = std::size_t{64} << 20;
+  void* volatile piece = std::malloc(kBytes);
+  std::free(piece);
+  return true;
+}();
+
+}  // namespace
