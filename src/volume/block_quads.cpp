@@ -115,7 +115,7 @@ class Connection {
   template <int kAxis, int kX, int kY>
   SeenCorners See(const std::array<std::uint32_t, 4>& vertices) const {
     const auto at = [&](std::size_t i) { return target_.in_cell[vertices[i]].data(); };
-    const FourPoints points = Gather({at(0), at(1), at(2), at(3)});
+    const FourPoints points = Gather<const float>({at(0), at(1), at(2), at(3)});
     const std::array<const Four*, 3> along = {&points.x, &points.y, &points.z};
     return {*along[(kAxis + 1) % 3] + static_cast<float>(kX),
             *along[(kAxis + 2) % 3] + static_cast<float>(kY), *along[kAxis]};

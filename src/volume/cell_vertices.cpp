@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "volume/block_frame.h"
 #include "volume/finish_band.h"
 #include "volume/four.h"
 
@@ -11,9 +12,6 @@ namespace lascaux {
 namespace {
 
 using Eigen::Vector3f;
-
-/// Four cells at a time.
-constexpr std::size_t kLanes = 4;
 
 constexpr std::size_t CornerOf(std::size_t axis, std::size_t along, std::size_t u, std::size_t w) {
   return along << axis | u << (axis + 1) % 3 | w << (axis + 2) % 3;
@@ -90,16 +88,17 @@ CellVertices::CellVertices(const NarrowBand& band, const SurfaceCells& cells, st
 
 void CellVertices::PlaceMeans(std::span<const std::uint16_t> cells, const CellSigns* signs,
                               Vector3f* to) const {
-  for (std::size_t at = 0; at < cells.size(); at += kLanes) {
-    const std::size_t count = std::min(cells.size() - at, kLanes);
+  for (std::size_t at = 0; at < cells.size(); at += 4) {
     FourInts cell{}, sign{};
-    for (std::size_t i = 0; i < kLanes; ++i) {
-      const std::size_t k = at + std::min(i, count - 1);
+    std::array<float*, 4> places;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t k = std::min(at + i, cells.size() - 1);
       cell[i] = cells[k];
       sign[i] = signs[k];
+      places[i] = to[k].data();
     }
-    const FourInts x = cell >> 6, y = cell >> 3 & 7, z = cell & 7;
-    const FourInts place = 81 * x + 9 * y + z;
+    const FourCells in_block(cell);
+    const FourInts place = 81 * in_block.x + 9 * in_block.y + in_block.z;
     CellCorners corners;
     for (std::size_t xy = 0; xy < 4; ++xy) {
       const float* const from = values_.data() + kStride[0] * (xy & 1) + kStride[1] * (xy >> 1);
@@ -108,7 +107,7 @@ void CellVertices::PlaceMeans(std::span<const std::uint16_t> cells, const CellSi
       corners[xy] = AtLeast(least_, Size(__builtin_shufflevector(a, b, 0, 2, 4, 6)));
       corners[xy + 4] = AtLeast(least_, Size(__builtin_shufflevector(a, b, 1, 3, 5, 7)));
     }
-    Store(MeansOf(corners, sign), count, to + at);
+    Scatter(MeansOf(corners, sign), places);
   }
 }
 
@@ -143,25 +142,16 @@ std::array<Vector3f, 4> CellVertices::In(std::size_t cell, const CellPieces& pie
 
 void PlaceInModel(const NarrowBand& band, std::size_t block, std::span<const std::uint16_t> cells,
                   Vector3f* vertices) {
-  const Eigen::Vector3d lowest = band.blocks[block].cast<double>();
-  for (std::size_t at = 0; at < cells.size(); at += kLanes) {
-    const std::size_t count = std::min(cells.size() - at, kLanes);
+  const BlockFrame frame(band, block);
+  for (std::size_t at = 0; at < cells.size(); at += 4) {
     FourInts cell{};
-    std::array<const float*, kLanes> in_cell;
-    for (std::size_t i = 0; i < kLanes; ++i) {
-      const std::size_t k = at + std::min(i, count - 1);
+    std::array<float*, 4> places;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t k = std::min(at + i, cells.size() - 1);
       cell[i] = cells[k];
-      in_cell[i] = vertices[k].data();
+      places[i] = vertices[k].data();
     }
-    const FourPoints places = Gather(in_cell);
-    const auto in_model = [&](const Four& place, const FourInts& in_block, int axis) {
-      const FourDoubles voxels = (lowest[axis] + __builtin_convertvector(in_block, FourDoubles)) +
-                                 __builtin_convertvector(place, FourDoubles);
-      return __builtin_convertvector(band.origin[axis] + band.voxel_size * voxels, Four);
-    };
-    Store({in_model(places.x, cell >> 6, 0), in_model(places.y, cell >> 3 & 7, 1),
-           in_model(places.z, cell & 7, 2)},
-          count, vertices + at);
+    Scatter(frame.InModel(FourCells(cell), Gather(places)), places);
   }
 }
 

@@ -8,8 +8,10 @@
 #include <bit>
 #include <new>
 #include <optional>
+#include <span>
 
 #include "lascaux/base/arena.h"
+#include "volume/block_frame.h"
 #include "volume/block_quads.h"
 #include "volume/cell_shells.h"
 #include "volume/cell_vertices.h"
@@ -35,6 +37,25 @@ struct Target {
   }
 };
 
+/// Four of a block's points from one on; those that are not there are the last.
+struct FourVertices {
+  FourCells cells;
+  std::array<std::size_t, 4> vertices;
+
+  FourVertices(const BlockPoints& points, std::span<const std::uint32_t> of_points, std::size_t at)
+      : cells(FourInts{points.cells[std::min(at, points.count - 1)],
+                       points.cells[std::min(at + 1, points.count - 1)],
+                       points.cells[std::min(at + 2, points.count - 1)],
+                       points.cells[std::min(at + 3, points.count - 1)]}) {
+    for (std::size_t i = 0; i < 4; ++i) vertices[i] = of_points[std::min(at + i, points.count - 1)];
+  }
+
+  std::array<float*, 4> In(std::vector<Vector3f>& of) const {
+    return {of[vertices[0]].data(), of[vertices[1]].data(), of[vertices[2]].data(),
+            of[vertices[3]].data()};
+  }
+};
+
 /// The mesh while it is made: vertices are places in their cells, from 0 to 1, until all are
 /// connected.
 class Extraction {
@@ -51,8 +72,9 @@ class Extraction {
     if (target_.field != nullptr) mesh_.outward.resize(vertices);
     tbb::parallel_for(std::size_t{0}, band_.size(), [this](std::size_t b) {
       if (cells_.IsEmpty(b)) return;
-      PlaceVertices(b);
-      if (target_.field != nullptr) RefineVertices(b);
+      const CellList cells = CellsOf(b);
+      PlaceVertices(b, cells.All());
+      if (target_.field != nullptr) RefineVertices(b, cells.All());
     });
     tbb::parallel_for(std::size_t{0}, band_.size(), [this](std::size_t b) {
       if (!cells_.IsEmpty(b)) ConnectVertices(b);
@@ -67,7 +89,7 @@ class Extraction {
   /// Asks for the distances that a block's vertices will be placed by.
   void Prefetch(std::size_t block) const {
     if (block >= band_.size()) return;
-    for (const std::size_t side : {0, 4}) {
+    for (const std::size_t side : {std::size_t{0}, std::size_t{4}}) {
       const std::int32_t found = cells_.above[block][side];
       if (found == kNoBlock) continue;
       const float* const values =
@@ -79,21 +101,32 @@ class Extraction {
     }
   }
 
-  void PlaceVertices(std::size_t block) {
-    Prefetch(block + 2);
-    const CellVertices vertices(band_, cells_, block, missing_);
+  /// A block's crossed cells.
+  struct CellList {
     std::array<std::uint16_t, kBlockVoxels> cells;
     std::size_t count = 0;
+
+    std::span<const std::uint16_t> All() const { return {cells.data(), count}; }
+  };
+
+  CellList CellsOf(std::size_t block) const {
+    CellList list;
     cells_.ForCells(block, [&](std::size_t cell, std::size_t) {
-      cells[count++] = static_cast<std::uint16_t>(cell);
+      list.cells[list.count++] = static_cast<std::uint16_t>(cell);
     });
+    return list;
+  }
+
+  void PlaceVertices(std::size_t block, std::span<const std::uint16_t> cells) {
+    Prefetch(block + 2);
+    const CellVertices vertices(band_, cells_, block, missing_);
     const std::size_t first = cells_.first_vertex[block];
     const CellSigns* const signs = cells_.signs.data() + cells_.first[block];
-    vertices.PlaceMeans({cells.data(), count}, signs, mesh_.vertices.data() + first);
+    vertices.PlaceMeans(cells, signs, mesh_.vertices.data() + first);
     if (cells_.HasSinglePieces(block)) return;
     // Cells with several pieces have more vertices, which those behind make room for.
     std::size_t vertex = cells_.first_vertex[block + 1];
-    for (std::size_t i = count; i-- > 0;) {
+    for (std::size_t i = cells.size(); i-- > 0;) {
       const CellPieces& pieces = cells_.Pieces(cells_.first[block] + i);
       vertex -= pieces.count;
       mesh_.vertices[vertex] = mesh_.vertices[first + i];
@@ -104,35 +137,44 @@ class Extraction {
   }
 
   /// Moves vertices that are alone in their cells onto the field's surface, within their cells.
-  void RefineVertices(std::size_t block) {
-    std::vector<Vector3f> places;
-    std::vector<std::uint32_t> which;
-    std::vector<Eigen::Vector3i> cells;
+  void RefineVertices(std::size_t block, std::span<const std::uint16_t> cells) {
     const bool is_single = cells_.HasSinglePieces(block);
+    BlockPoints points;
+    std::array<std::uint32_t, kBlockVoxels> vertices;
     std::uint32_t vertex = cells_.first_vertex[block];
-    cells_.ForCells(block, [&](std::size_t cell, std::size_t number) {
-      const std::uint32_t pieces = is_single ? 1 : cells_.Pieces(number).count, first = vertex;
-      vertex += pieces;
-      if (pieces != 1 || !target_.Holds(block, cell)) {
-        std::fill_n(mesh_.outward.begin() + first, pieces, Vector3f::Zero());
-        return;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const std::uint32_t pieces = is_single ? 1 : cells_.Pieces(cells_.first[block] + i).count;
+      if (pieces == 1 && target_.Holds(block, cells[i])) {
+        points.cells[points.count] = cells[i];
+        vertices[points.count++] = vertex;
+      } else {
+        std::fill_n(mesh_.outward.begin() + vertex, pieces, Vector3f::Zero());
       }
-      which.push_back(first);
-      cells.push_back(InBlock(cell));
-      places.push_back(cells.back().cast<float>() + mesh_.vertices[first]);
-    });
-    const BlockPoints points = MoveOntoSurface(*target_.field, band_, block, std::move(places));
-    for (std::size_t i = 0; i < which.size(); ++i) {
-      mesh_.outward[which[i]] = points.outward[i];
-      const Vector3f in_cell = points.places[i] - cells[i].cast<float>();
-      if (in_cell.minCoeff() < kLeastInCell || in_cell.maxCoeff() > 1 - kLeastInCell) continue;
-      mesh_.vertices[which[i]] = in_cell;
+      vertex += pieces;
     }
-  }
-
-  static Eigen::Vector3i InBlock(std::size_t cell) {
-    return {static_cast<int>(cell / 64), static_cast<int>(cell / 8 % 8),
-            static_cast<int>(cell % 8)};
+    if (points.count == 0) return;
+    for (std::size_t at = 0; at < points.count; at += 4) {
+      const FourVertices four(points, vertices, at);
+      const FourPoints in_cell = Gather(four.In(mesh_.vertices));
+      StoreFour(__builtin_convertvector(four.cells.x, Four) + in_cell.x, points.x.data() + at);
+      StoreFour(__builtin_convertvector(four.cells.y, Four) + in_cell.y, points.y.data() + at);
+      StoreFour(__builtin_convertvector(four.cells.z, Four) + in_cell.z, points.z.data() + at);
+    }
+    points.MoveOntoSurface(*target_.field, band_, block);
+    for (std::size_t at = 0; at < points.count; at += 4) {
+      const FourVertices four(points, vertices, at);
+      Scatter({LoadFour(points.outward_x.data() + at), LoadFour(points.outward_y.data() + at),
+               LoadFour(points.outward_z.data() + at)},
+              four.In(mesh_.outward));
+      const Four x = LoadFour(points.x.data() + at) - __builtin_convertvector(four.cells.x, Four);
+      const Four y = LoadFour(points.y.data() + at) - __builtin_convertvector(four.cells.y, Four);
+      const Four z = LoadFour(points.z.data() + at) - __builtin_convertvector(four.cells.z, Four);
+      const FourInts leaves = (x < kLeastInCell) | (x > 1 - kLeastInCell) | (y < kLeastInCell) |
+                              (y > 1 - kLeastInCell) | (z < kLeastInCell) | (z > 1 - kLeastInCell);
+      const FourPoints old = Gather(four.In(mesh_.vertices));
+      Scatter({leaves ? old.x : x, leaves ? old.y : y, leaves ? old.z : z},
+              four.In(mesh_.vertices));
+    }
   }
 
   void ConnectVertices(std::size_t block) {
@@ -146,14 +188,13 @@ class Extraction {
   }
 
   void TakeToModel(std::size_t block) {
-    const bool is_single = cells_.HasSinglePieces(block);
+    const CellList list = CellsOf(block);
+    Vector3f* const vertices = mesh_.vertices.data() + cells_.first_vertex[block];
+    if (cells_.HasSinglePieces(block)) return PlaceInModel(band_, block, list.All(), vertices);
     std::vector<std::uint16_t> cells;  // of each vertex
-    cells.reserve(kBlockVoxels);
-    cells_.ForCells(block, [&](std::size_t cell, std::size_t number) {
-      cells.insert(cells.end(), is_single ? 1 : cells_.Pieces(number).count,
-                   static_cast<std::uint16_t>(cell));
-    });
-    PlaceInModel(band_, block, cells, mesh_.vertices.data() + cells_.first_vertex[block]);
+    for (std::size_t i = 0; i < list.count; ++i)
+      cells.insert(cells.end(), cells_.Pieces(cells_.first[block] + i).count, list.cells[i]);
+    PlaceInModel(band_, block, cells, vertices);
   }
 
   Outcome<Mesh> KeepBody() {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -23,6 +23,19 @@ using FourInts [[gnu::vector_size(16)]] = std::int32_t;  ///< of comparisons: -1
 using FourDoubles [[gnu::vector_size(32)]] = double;
 
 LASCAUX_INLINE Four Size(Four a) { return a < 0 ? -a : a; }
+
+LASCAUX_INLINE Four Root(Four a) {
+  for (std::size_t k = 0; k < 4; ++k) a[k] = std::sqrt(a[k]);
+  return a;
+}
+
+LASCAUX_INLINE Four LoadFour(const float* from) {
+  Four four;
+  std::memcpy(&four, from, sizeof four);
+  return four;
+}
+
+LASCAUX_INLINE void StoreFour(const Four& four, float* to) { std::memcpy(to, &four, sizeof four); }
 
 /// Those of `a` where the mask is -1, 0 elsewhere.
 LASCAUX_INLINE Four Where(const FourInts& mask, const Four& a) {
@@ -62,23 +75,24 @@ LASCAUX_INLINE Four TwoAndTwo(const float* a, const float* b) {
   return four;
 }
 
-LASCAUX_INLINE FourPoints Gather(const std::array<const float*, 4>& at) {
+/// `T` is float or const float.
+template <typename T>
+LASCAUX_INLINE FourPoints Gather(const std::array<T*, 4>& at) {
   const Four low = TwoAndTwo(at[0], at[1]), high = TwoAndTwo(at[2], at[3]);
   return {__builtin_shufflevector(low, high, 0, 2, 4, 6),
           __builtin_shufflevector(low, high, 1, 3, 5, 7),
           Four{at[0][2], at[1][2], at[2][2], at[3][2]}};
 }
 
-/// Stores the first `count` of four points.
-LASCAUX_INLINE void Store(const FourPoints& points, std::size_t count, Eigen::Vector3f* to) {
+/// Stores four points.
+LASCAUX_INLINE void Scatter(const FourPoints& points, const std::array<float*, 4>& to) {
   const Four xy_low = __builtin_shufflevector(points.x, points.y, 0, 4, 1, 5);
   const Four xy_high = __builtin_shufflevector(points.x, points.y, 2, 6, 3, 7);
   const std::array<Four, 4> rows = {__builtin_shufflevector(xy_low, points.z, 0, 1, 4, 4),
                                     __builtin_shufflevector(xy_low, points.z, 2, 3, 5, 5),
                                     __builtin_shufflevector(xy_high, points.z, 0, 1, 6, 6),
                                     __builtin_shufflevector(xy_high, points.z, 2, 3, 7, 7)};
-  for (std::size_t i = 0; i < count; ++i)
-    std::memcpy(to[i].data(), &rows[i], sizeof(Eigen::Vector3f));
+  for (std::size_t i = 0; i < 4; ++i) std::memcpy(to[i], &rows[i], 3 * sizeof(float));
 }
 
 }  // namespace lascaux

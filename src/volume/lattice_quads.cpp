@@ -89,7 +89,7 @@ void LatticeQuads::JoinHalves(const std::array<std::size_t, 4>& quads) {
 void LatticeQuads::PlaceCorners() {
   for (std::size_t k = 0; k < 4; ++k) {
     const auto at = [&](std::size_t i) { return mesh_.vertices[Vertex(i, k)].data(); };
-    const FourPoints points = Gather({at(0), at(1), at(2), at(3)});
+    const FourPoints points = Gather<const float>({at(0), at(1), at(2), at(3)});
     const std::array<const Four*, 3> along = {&points.x, &points.y, &points.z};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       FourDoubles per_unit, shift;

@@ -13,6 +13,7 @@
 
 #include "lascaux/base/arena.h"
 #include "lascaux/field/compiled_field.h"
+#include "volume/four.h"
 #include "volume/point_cells.h"
 
 namespace lascaux {
@@ -48,6 +49,44 @@ std::vector<Vector3f> OutwardOf(const Mesh& mesh, const Field& field, const Vect
   return outward;
 }
 
+/// Four triangles from one on; those that are not there are the last.
+class FourTriangles {
+ public:
+  FourTriangles(const Mesh& mesh, std::size_t first) {
+    for (std::size_t k = 0; k < 4; ++k)
+      triangles_[k] = &mesh.triangles[std::min(first + k, mesh.triangles.size() - 1)];
+    const FourPoints p = CornersOf(mesh.vertices, 0), q = CornersOf(mesh.vertices, 1),
+                     r = CornersOf(mesh.vertices, 2);
+    const Four ux = q.x - p.x, uy = q.y - p.y, uz = q.z - p.z;
+    const Four vx = r.x - p.x, vy = r.y - p.y, vz = r.z - p.z;
+    cross_ = {uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx};
+  }
+
+  std::uint32_t Vertex(std::size_t k, std::size_t corner) const { return (*triangles_[k])[corner]; }
+
+  /// For each corner, where the cosine between its normal and its triangle's is above `least`.
+  std::array<FourInts, 3> AreNear(const std::vector<Vector3f>& normals, float least) const {
+    const Four length = least * Root(Dot(cross_, cross_));
+    std::array<FourInts, 3> are_near;
+    for (std::size_t corner = 0; corner < 3; ++corner)
+      are_near[corner] = Dot(cross_, CornersOf(normals, corner)) > length;
+    return are_near;
+  }
+
+ private:
+  static Four Dot(const FourPoints& a, const FourPoints& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+  }
+
+  FourPoints CornersOf(const std::vector<Vector3f>& of, std::size_t corner) const {
+    const auto at = [&](std::size_t k) { return of[Vertex(k, corner)].data(); };
+    return Gather<const float>({at(0), at(1), at(2), at(3)});
+  }
+
+  std::array<const Triangle*, 4> triangles_;
+  FourPoints cross_;
+};
+
 /// Turns what is more than 60 degrees from the faces' mean to that mean.
 void TurnToFaces(const Mesh& mesh, std::vector<Vector3f>& normals) {
   // Where all faces are within 60 degrees, their mean is; they are looked at in single precision.
@@ -58,11 +97,15 @@ void TurnToFaces(const Mesh& mesh, std::vector<Vector3f>& normals) {
       return is_far[v].load(std::memory_order_relaxed) != 0;
     });
   };
-  tbb::parallel_for(std::size_t{0}, mesh.triangles.size(), [&](std::size_t i) {
-    const Vector3f cross = CrossOf<float>(mesh, mesh.triangles[i]);
-    const float least = kSurely * cross.norm();
-    for (const std::uint32_t v : mesh.triangles[i])
-      if (!(cross.dot(normals[v]) > least)) is_far[v].store(1, std::memory_order_relaxed);
+  tbb::parallel_for(std::size_t{0}, (mesh.triangles.size() + 3) / 4, [&](std::size_t i) {
+    const FourTriangles four(mesh, 4 * i);
+    const std::array<FourInts, 3> are_near = four.AreNear(normals, kSurely);
+    if (AreAll(are_near[0] & are_near[1] & are_near[2])) return;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      for (std::size_t k = 0; k < 4; ++k)
+        if (are_near[corner][k] == 0)
+          is_far[four.Vertex(k, corner)].store(1, std::memory_order_relaxed);
+    }
   });
   tbb::combinable<std::vector<std::uint32_t>> found;
   tbb::parallel_for(std::size_t{0}, mesh.triangles.size(), [&](std::size_t i) {
