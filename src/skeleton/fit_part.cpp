@@ -120,18 +120,37 @@ class Model {
 struct Linearised {
   double cost = 0, worst = 0;
   NormalEquations sums;
+};
 
-  explicit Linearised(int unknowns) : sums(unknowns) {}
+/// Matrices that were used before: their pages are there already.
+class Spares {
+ public:
+  explicit Spares(int unknowns) : unknowns_(unknowns) {}
+
+  NormalEquations Take() {
+    if (spares_.empty()) return NormalEquations(unknowns_);
+    NormalEquations taken = std::move(spares_.back());
+    spares_.pop_back();
+    return taken;
+  }
+  void GiveBack(NormalEquations used) {
+    used.Clear();
+    spares_.push_back(std::move(used));
+  }
+
+ private:
+  int unknowns_;
+  std::vector<NormalEquations> spares_;
 };
 
 /// Where the problem is linearised, and the cost beyond which nobody wants to know more.
 struct Trial {
-  const std::vector<Chain>& chains;
+  std::vector<Chain> chains;
   double most_cost;
 };
 
-Linearised LineariseSome(const Model& model, std::span<const Target> targets, const Trial& trial) {
-  Linearised at(model.unknowns());
+void LineariseSome(const Model& model, std::span<const Target> targets, const Trial& trial,
+                   Linearised& at) {
   PlanarField field(trial.chains);
   PlanarSample sample;
   for (const Target& target : targets) {
@@ -150,25 +169,26 @@ Linearised LineariseSome(const Model& model, std::span<const Target> targets, co
     }
     AddRow({sample.runs, sample.derivatives, target.weight, d}, at.sums);
   }
-  return at;
 }
 
 /// In halves, side by side, for the torso's fit is longer than those of all other parts together;
 /// unless there are more unknowns than targets, and a second matrix costs more than it saves. What
 /// costs more than `most_cost` is left unfinished.
-Linearised Linearise(const Model& model, std::span<const Target> targets, const VectorXd& x,
-                     double most_cost) {
-  const std::vector<Chain> chains = model.At(x);
-  const Trial trial{chains, most_cost};
-  if (targets.size() < Index(model.unknowns())) return LineariseSome(model, targets, trial);
+Linearised Linearise(const Model& model, std::span<const Target> targets, const Trial& trial,
+                     Spares& spares) {
+  Linearised at{0, 0, spares.Take()};
+  if (targets.size() < Index(model.unknowns())) {
+    LineariseSome(model, targets, trial, at);
+    return at;
+  }
+  Linearised rest{0, 0, spares.Take()};
   const std::size_t half = targets.size() / 2;
-  Linearised at(0), rest(0);
-  tbb::parallel_invoke([&] { at = LineariseSome(model, targets.first(half), trial); },
-                       [&] { rest = LineariseSome(model, targets.subspan(half), trial); });
+  tbb::parallel_invoke([&] { LineariseSome(model, targets.first(half), trial, at); },
+                       [&] { LineariseSome(model, targets.subspan(half), trial, rest); });
   at.cost += rest.cost;
   at.worst = std::max(at.worst, rest.worst);
-  at.sums.matrix() += rest.sums.matrix();
-  at.sums.slope += rest.sums.slope;
+  at.sums.Add(rest.sums);
+  spares.GiveBack(std::move(rest.sums));
   return at;
 }
 
@@ -176,15 +196,13 @@ Linearised Linearise(const Model& model, std::span<const Target> targets, const 
 /// banded.
 VectorXd Solve(const Linearised& at, double damping, double hold, const VectorXd& x) {
   const Eigen::Index n = x.size();
-  const auto sums = at.sums.matrix();
   Eigen::SparseMatrix<double> matrix(n, n);
   // In order: whatever is put between what is there moves all that follows.
   for (Eigen::Index j = 0; j < n; ++j) {
     matrix.startVec(j);
-    matrix.insertBack(j, j) = sums(j, j) * (1 + damping) + hold;
-    for (Eigen::Index i = j + 1; i < n; ++i) {
-      if (sums(i, j) != 0) matrix.insertBack(i, j) = sums(i, j);
-    }
+    const int column = static_cast<int>(j);
+    matrix.insertBack(j, j) = at.sums.Diagonal(column) * (1 + damping) + hold;
+    at.sums.ForBelow(column, [&](int i, double value) { matrix.insertBack(i, j) = value; });
   }
   matrix.finalize();
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> factors(matrix);
@@ -221,7 +239,11 @@ std::vector<Chain> FitChains(const std::vector<Chain>& chains, const Outline& ou
 
   const double least_hold = kLeastHold * hold;
   VectorXd x = VectorXd::Zero(n), best = x;
-  Linearised at = Linearise(model, targets, x, std::numeric_limits<double>::infinity());
+  Spares spares(n);
+  const auto linearise = [&](const VectorXd& place, double most_cost) {
+    return Linearise(model, targets, {model.At(place), most_cost}, spares);
+  };
+  Linearised at = linearise(x, std::numeric_limits<double>::infinity());
   const double first_worst = at.worst;
   double best_worst = at.worst, damping = kFirstDamping;
   for (int step = 0; step < options.max_steps && best_worst > options.target * diagonal; ++step) {
@@ -229,9 +251,10 @@ std::vector<Chain> FitChains(const std::vector<Chain>& chains, const Outline& ou
     if (!move.allFinite()) break;
     const VectorXd next = x + move.cwiseMax(-kLongestStep).cwiseMin(kLongestStep);
     const double before = at.cost + hold * x.squaredNorm(), held = hold * next.squaredNorm();
-    Linearised there = Linearise(model, targets, next, before - held);
+    Linearised there = linearise(next, before - held);
     const double after = there.cost + held;
     if (!(after < before)) {
+      spares.GiveBack(std::move(there.sums));
       damping *= kMoreDamping;
       if (damping > kMostDamping) break;
       continue;
@@ -239,7 +262,7 @@ std::vector<Chain> FitChains(const std::vector<Chain>& chains, const Outline& ou
     damping *= kLessDamping;
     hold = std::max(kLoosen * hold, least_hold);
     x = next;
-    at = std::move(there);
+    spares.GiveBack(std::exchange(at, std::move(there)).sums);
     if (at.worst < best_worst) best_worst = at.worst, best = x;
     if (before - after < kStalled * before) break;
   }

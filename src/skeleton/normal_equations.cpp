@@ -2,6 +2,7 @@
 
 #include <sys/mman.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <new>
 
@@ -20,7 +21,6 @@ namespace {
 }
 
 [[gnu::always_inline]] inline void Add(const SparseRow& row, NormalEquations& sums) {
-  const auto rows = static_cast<std::size_t>(sums.rows);
   std::span<const double> values = row.values;
   for (std::size_t r = 0; r < row.runs.size(); ++r) {
     const PlanarSample::Run& run = row.runs[r];
@@ -30,13 +30,13 @@ namespace {
       const std::size_t j = Index(run.first) + k, aligned = k / 4 * 4;
       const double weighted = row.weight * own[k];
       sums.slope.data()[j] += weighted * row.residual;
-      double* const column = sums.zeros.data() + rows * j;
-      AddScaled(own.subspan(aligned), weighted, column + Index(run.first) + aligned);
+      AddScaled(own.subspan(aligned), weighted,
+                sums.At(j, Index(run.first) + aligned, own.size() - aligned));
       std::span<const double> rest = values;
       for (std::size_t below = r + 1; below < row.runs.size(); ++below) {
         const PlanarSample::Run& other = row.runs[below];
         const std::size_t size = Index(other.FilledUp());
-        AddScaled(rest.first(size), weighted, column + other.first);
+        AddScaled(rest.first(size), weighted, sums.At(j, Index(other.first), size));
         rest = rest.subspan(size);
       }
     }
@@ -77,6 +77,33 @@ LazyZeros::LazyZeros(std::size_t count) : data_(nullptr, Free{0}) {
   madvise(mapped, bytes, MADV_NOHUGEPAGE);  // only for speed and memory: whatever it says
   data_.get_deleter().mapped_bytes = bytes;
   data_.reset(static_cast<double*>(mapped));
+}
+
+NormalEquations::NormalEquations(int unknowns)
+    : slope(Eigen::VectorXd::Zero(unknowns)),
+      rows_((Index(unknowns) + 3 + kBlock - 1) / kBlock * kBlock),
+      words_((rows_ / kBlock + 63) / 64),
+      zeros_(rows_ * Index(unknowns)),
+      touched_(words_ * Index(unknowns), 0) {}
+
+void NormalEquations::Add(const NormalEquations& others) {
+  slope += others.slope;
+  for (std::size_t column = 0; column < static_cast<std::size_t>(slope.size()); ++column) {
+    others.ForBlocks(column, [&](std::size_t first, const double* values) {
+      double* const own = At(column, first, kBlock);
+      for (std::size_t i = 0; i < kBlock; ++i) own[i] += values[i];
+    });
+  }
+}
+
+void NormalEquations::Clear() {
+  slope.setZero();
+  for (std::size_t column = 0; column < static_cast<std::size_t>(slope.size()); ++column) {
+    ForBlocks(column, [&](std::size_t first, const double*) {
+      std::fill_n(zeros_.data() + rows_ * column + first, kBlock, 0.0);
+    });
+  }
+  std::fill(touched_.begin(), touched_.end(), 0);
 }
 
 void AddRow(const SparseRow& row, NormalEquations& sums) {

@@ -34,11 +34,30 @@ TEST(NormalEquations, AreThoseOfTheDenseMatrix) {
     matrix += weight * dense * dense.transpose();
     slope += weight * residual * dense;
   }
-  for (int column = 0; column < kUnknowns; ++column) {
-    EXPECT_NEAR(sums.slope[column], slope[column], 1e-12);
-    for (int row = column; row < kUnknowns; ++row)
-      EXPECT_NEAR(sums.matrix()(row, column), matrix(row, column), 1e-12) << row << ", " << column;
-  }
+  const auto expect = [&](const NormalEquations& found, double times) {
+    for (int column = 0; column < kUnknowns; ++column) {
+      EXPECT_NEAR(found.slope[column], times * slope[column], 1e-12);
+      EXPECT_NEAR(found.Diagonal(column), times * matrix(column, column), 1e-12);
+      Eigen::VectorXd below = Eigen::VectorXd::Zero(kUnknowns);
+      int last = column;
+      found.ForBelow(column, [&](int row, double value) {
+        EXPECT_GT(row, last);
+        last = row;
+        below[row] = value;
+      });
+      for (int row = column + 1; row < kUnknowns; ++row)
+        EXPECT_NEAR(below[row], times * matrix(row, column), 1e-12) << row << ", " << column;
+    }
+  };
+  expect(sums, 1);
+  NormalEquations twice(kUnknowns);
+  twice.Add(sums);
+  twice.Add(sums);
+  expect(twice, 2);
+  twice.Clear();
+  expect(twice, 0);
+  twice.Add(sums);
+  expect(twice, 1);
 }
 
 }  // namespace
