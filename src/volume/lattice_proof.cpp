@@ -14,6 +14,7 @@
 #include <emmintrin.h>
 #endif
 
+#include "lascaux/base/unset_allocator.h"
 #include "volume/corner_table.h"
 #include "volume/lattice_quads.h"
 #include "volume/surface_cells.h"
@@ -41,7 +42,14 @@ struct EdgesAround {
 /// so that threads can note edges at one vertex at once without waiting for each other.
 class NotedEdges {
  public:
-  explicit NotedEdges(std::size_t vertices) : bytes_(kCellEdges * vertices + kBehind, 0) {}
+  /// Unset.
+  explicit NotedEdges(std::size_t vertices) : bytes_(kCellEdges * vertices + kBehind) {}
+
+  /// Before anything is noted of vertices from `begin` to before `end`.
+  void Clear(std::size_t begin, std::size_t end) {
+    std::fill(bytes_.begin() + static_cast<std::ptrdiff_t>(kCellEdges * begin),
+              bytes_.begin() + static_cast<std::ptrdiff_t>(kCellEdges * end), std::uint8_t{0});
+  }
 
   void Note(std::size_t vertex, std::size_t edge, bool starts_inside) {
     std::atomic_ref(bytes_[kCellEdges * vertex + edge])
@@ -70,7 +78,7 @@ class NotedEdges {
  private:
   static constexpr std::uint8_t kOutside = 1, kInside = 2;
   static constexpr std::size_t kBehind = 4;  // for vectors of 16 bytes
-  std::vector<std::uint8_t> bytes_;
+  std::vector<std::uint8_t, UnsetAllocator<std::uint8_t>> bytes_;
 };
 
 /// Which sets of a cell's edges one piece of surface can cross, and which of them start inside.
@@ -176,6 +184,9 @@ class Proof {
 
   std::optional<LatticeProof> Run() {
     if (!FindRuns()) return std::nullopt;
+    ForRanges(state_.size(), [this](std::size_t, std::size_t begin, std::size_t end) {
+      edges_.Clear(begin, end);
+    });
     const std::vector<std::uint32_t> unproven = LookAtQuads();
     LatticeProof proof;
     const Following following = FollowEdges();

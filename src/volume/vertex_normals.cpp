@@ -93,9 +93,8 @@ void TurnToFaces(const Mesh& mesh, std::vector<Vector3f>& normals) {
   constexpr float kSurely = kFarthest + 1e-3F;
   std::vector<std::atomic<std::uint8_t>> is_far(normals.size());
   const auto is_any_far = [&](const Triangle& t) {
-    return std::any_of(t.begin(), t.end(), [&](std::uint32_t v) {
-      return is_far[v].load(std::memory_order_relaxed) != 0;
-    });
+    const auto far = [&](std::uint32_t v) { return is_far[v].load(std::memory_order_relaxed); };
+    return (far(t[0]) | far(t[1]) | far(t[2])) != 0;
   };
   tbb::parallel_for(std::size_t{0}, (mesh.triangles.size() + 3) / 4, [&](std::size_t i) {
     const FourTriangles four(mesh, 4 * i);
