@@ -12,7 +12,7 @@
 
 #include "lascaux/base/arena.h"
 #include "lascaux/field/compiled_field.h"
-#include "volume/point_cells.h"
+#include "volume/point_runs.h"
 
 namespace lascaux {
 namespace {
@@ -76,29 +76,30 @@ std::vector<std::uint16_t> PartOfPoints(const Field& field, std::span<const Eige
   std::vector<std::uint16_t> result(points.size(), kNoPart);
   const std::vector<CompiledField> parts = CompileParts(field);
   const std::vector<float> say = SayOfParts(field);
-  const auto decide = [&](std::span<const std::uint32_t> which) {
-    const CellBlock block(points, which, offset);
+  const auto decide = [&](std::size_t first, std::size_t count) {
+    const RunBlock block(points.subspan(first, count), offset);
+    const std::span found = std::span(result).subspan(first, count);
     const std::vector<Candidate> candidates = FindCandidates(parts, say, block.ball);
     if (candidates.size() == 1 && candidates[0].found.bounds.lower > 0) {
-      for (const std::uint32_t i : which)
-        result[i] = static_cast<std::uint16_t>(candidates[0].part);
+      std::fill(found.begin(), found.end(), static_cast<std::uint16_t>(candidates[0].part));
       return;
     }
-    std::vector<float> best(which.size(), 0.0F), values(which.size());
+    std::vector<float> best(count, 0.0F), values(count);
     for (const Candidate& candidate : candidates) {
       parts[candidate.part].EvaluateValues(block.Points(), candidate.found.active, values);
-      for (std::size_t i = 0; i < which.size(); ++i) {
+      for (std::size_t i = 0; i < count; ++i) {
         const float value = candidate.say * values[i];
         if (value <= best[i]) continue;
         best[i] = value;
-        result[which[i]] = static_cast<std::uint16_t>(candidate.part);
+        found[i] = static_cast<std::uint16_t>(candidate.part);
       }
     }
   };
   RunInArena(execution, [&] {
-    const PointCells cells(points);
-    tbb::parallel_for(std::size_t{0}, cells.count(),
-                      [&](std::size_t cell) { decide(cells.Points(cell)); });
+    const PointRuns runs(points);
+    tbb::parallel_for(std::size_t{0}, runs.count(), [&](std::size_t run) {
+      decide(runs.First(run), runs.First(run + 1) - runs.First(run));
+    });
   });
   return result;
 }

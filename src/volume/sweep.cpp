@@ -200,10 +200,10 @@ void SweepDistances(Band& band, const std::vector<VoxelMask>& crossings, Isa isa
                     const Execution& execution) {
   FitCrossings(band, crossings);
   std::vector<LineMask> changed(band.size()), pending(band.size());
-  for (std::size_t b = 0; b < band.size(); ++b) {
+  tbb::parallel_for(std::size_t{0}, band.size(), [&](std::size_t b) {
     changed[b] = LinesOf(crossings[b]);
     pending[b] = changed[b] | BesideInBlock(changed[b]);
-  }
+  });
   const auto run = isa == Isa::kBaseline ? RunBaseline : RunAvx2;
   const auto sweep_block = [&](std::size_t b) {
     const LineMask lines = pending[b] | BesideOtherBlocks(band, b, changed);

@@ -14,7 +14,7 @@
 #include "lascaux/base/arena.h"
 #include "lascaux/field/compiled_field.h"
 #include "volume/four.h"
-#include "volume/point_cells.h"
+#include "volume/point_runs.h"
 
 namespace lascaux {
 namespace {
@@ -36,15 +36,15 @@ Eigen::Vector3<T> CrossOf(const Mesh& mesh, const Triangle& t) {
 std::vector<Vector3f> OutwardOf(const Mesh& mesh, const Field& field, const Vector3d& offset) {
   std::vector<Vector3f> outward(mesh.vertices.size());
   const CompiledField compiled(field);
-  const PointCells cells(mesh.vertices);
-  tbb::parallel_for(std::size_t{0}, cells.count(), [&](std::size_t cell) {
-    const std::span<const std::uint32_t> which = cells.Points(cell);
-    const CellBlock block(mesh.vertices, which, offset);
+  const PointRuns runs(mesh.vertices);
+  tbb::parallel_for(std::size_t{0}, runs.count(), [&](std::size_t run) {
+    const std::size_t first = runs.First(run), count = runs.First(run + 1) - first;
+    const RunBlock block(std::span(mesh.vertices).subspan(first, count), offset);
     const ActiveSet active = compiled.BoundOnBall(block.ball, compiled.All()).active;
-    std::vector<float> value(which.size()), x(which.size()), y(which.size()), z(which.size());
+    std::vector<float> value(count), x(count), y(count), z(count);
     compiled.EvaluateSamples(block.Points(), active, {value, x, y, z});
-    for (std::size_t i = 0; i < which.size(); ++i)
-      outward[which[i]] = -Vector3f(x[i], y[i], z[i]).stableNormalized();
+    for (std::size_t i = 0; i < count; ++i)
+      outward[first + i] = -Vector3f(x[i], y[i], z[i]).stableNormalized();
   });
   return outward;
 }

@@ -24,8 +24,9 @@ inline constexpr float kSayOfChild = 2;
 /// earlier one of equals.
 ///
 /// `offset` is added to the points first. At most 65535 parts. Parts are compared in single
-/// precision (kFloatValueError). About 0.1 us a point for points on a surface: parts that are far
-/// away are ruled out for whole cells of points. The same bits for any number of threads.
+/// precision (kFloatValueError). About 0.1 us a point for points of a mesh or a grid: parts that
+/// are far away are ruled out for whole runs of points that lie close together. The same bits for
+/// any number of threads.
 std::vector<std::uint16_t> PartOfPoints(const Field& field, std::span<const Eigen::Vector3f> points,
                                         const Eigen::Vector3d& offset,
                                         const Execution& execution = {});
