@@ -59,7 +59,7 @@ FoundWalls LookFor(const TriangleGrid& grid, double limit, double farthest,
                    const Execution& execution) {
   std::atomic<double> reach = farthest;
   tbb::combinable<FoundWalls> parts;
-  tbb::parallel_for(std::size_t{0}, grid.size(), [&](std::size_t i) {
+  const auto look = [&](std::size_t i) {
     if (execution.IsCancelled()) return;
     const Wall wall = WallAt(grid, i, reach);
     if (!(wall.thickness < farthest)) return;
@@ -70,6 +70,13 @@ FoundWalls LookFor(const TriangleGrid& grid, double limit, double farthest,
     double known = reach.load(std::memory_order_relaxed);
     while (enough < known && !reach.compare_exchange_weak(known, enough)) {
     }
+  };
+  // Some of them from all over the mesh tell how far the others have to look.
+  constexpr std::size_t kFirst = 32;
+  tbb::parallel_for(std::size_t{0}, (grid.size() + kFirst - 1) / kFirst,
+                    [&](std::size_t i) { look(kFirst * i); });
+  tbb::parallel_for(std::size_t{0}, grid.size(), [&](std::size_t i) {
+    if (i % kFirst != 0) look(i);
   });
   FoundWalls all;
   parts.combine_each([&](const FoundWalls& found) {
