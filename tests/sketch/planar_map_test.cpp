@@ -84,65 +84,6 @@ TEST(PlanarMap, DotIsAnIslandOfThePensWidth) {
   }
 }
 
-TEST(PlanarMap, EndNearALineIsAJunctionOnIt) {
-  const auto map = BuildPlanarMap(SketchOf({Loop(kSquare), Straight({{0.3, 40}, {99.6, 40}})}));
-  ASSERT_TRUE(map);
-  EXPECT_EQ(Count(*map, CycleKind::kBorder), 2);
-  EXPECT_FALSE(Has(map.diagnostics(), "gap-closed"));
-}
-
-/// A square with six lines across it that begin and end so far from its sides.
-Sketch Ladder(double left, double right) {
-  Sketch ladder = SketchOf({Loop(kSquare)});
-  for (int k = 1; k <= 6; ++k)
-    ladder.strokes.push_back(Straight({{left, 14.0 * k}, {100 - right, 14.0 * k}}));
-  return ladder;
-}
-
-TEST(PlanarMap, WhereMostEndsMissALineTheyAreMeantToMeetIt) {
-  // 1.3 % of the diagonal, which is a suggestive curve's open end where others meet exactly.
-  const auto by_hand = BuildPlanarMap(Ladder(1.84, 1.84)), exact = BuildPlanarMap(Ladder(0, 1.84));
-  ASSERT_TRUE(by_hand && exact);
-  EXPECT_EQ(Count(*by_hand, CycleKind::kBorder), 7);
-  EXPECT_EQ(Count(*exact, CycleKind::kBorder), 1);
-}
-
-TEST(PlanarMap, EndsThatMeetInOnePlaceAreOneNode) {
-  // Two by two they are nearer to each other than the pairs are.
-  const auto map = BuildPlanarMap(SketchOf(
-      {Loop(kSquare), Straight({{0, 40}, {49.9, 40}}), Straight({{49.9, 100}, {49.9, 40.1}}),
-       Straight({{50.3, 0}, {50.3, 39.9}}), Straight({{100, 40}, {50.4, 40}})}));
-  ASSERT_TRUE(map);
-  EXPECT_EQ(Count(*map, CycleKind::kBorder), 4);
-}
-
-TEST(PlanarMap, FringesAreNotDrawnIntoOnePoint) {
-  // 25 hairs, each end 0.3 % of the diagonal from the next.
-  Sketch fringes = SketchOf({Loop(kSquare)});
-  for (int k = 0; k < 25; ++k)
-    fringes.strokes.push_back(Straight({{40 + 0.4 * k, 30}, {40 + 0.4 * k, 60}}));
-  const auto map = BuildPlanarMap(fringes);
-  ASSERT_TRUE(map);
-  for (const MapEdge& edge : map->edges) {
-    const double lean = std::abs(edge.points.front().x() - edge.points.back().x());
-    EXPECT_LE(edge.stroke > 0 ? lean : 0, 0.8);
-  }
-}
-
-TEST(PlanarMap, EndsThatMeetBesideALineMeetOnIt) {
-  const auto map = BuildPlanarMap(SketchOf(
-      {Loop(kSquare), Straight({{0.1, 40}, {100, 20}}), Straight({{0.2, 40.1}, {100, 60}})}));
-  ASSERT_TRUE(map);
-  EXPECT_EQ(Count(*map, CycleKind::kBorder), 3);
-}
-
-TEST(PlanarMap, OvershootLeavesNoSpur) {
-  const auto map = BuildPlanarMap(SketchOf({Loop(kSquare), Straight({{-0.5, 40}, {100.5, 40}})}));
-  ASSERT_TRUE(map);
-  EXPECT_EQ(Count(*map, CycleKind::kBorder), 2);
-  for (const MapNode& node : map->nodes) EXPECT_GE(node.outgoing.size(), 2u);
-}
-
 TEST(PlanarMap, OpenEndInsideAFaceIsNotBridged) {
   // 2 % of the diagonal from the right side: a gap there would be closed, a suggestive curve must
   // not be.

@@ -5,7 +5,7 @@
 #include <unordered_map>
 
 #include "sketch/map/arrangement.h"
-#include "sketch/map/segment_grid.h"
+#include "sketch/map/line_ends.h"
 
 namespace lascaux {
 namespace {
@@ -70,17 +70,6 @@ class NodeTable {
   double tolerance_;
   std::unordered_map<CellIndex, std::vector<int>, Hash> cells_;
 };
-
-SegmentGrid GridOf(const std::vector<ArrangementLine>& lines) {
-  std::vector<SegmentRef> segments;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    for (std::size_t k = 0; k + 1 < lines[i].points.size(); ++k) {
-      segments.push_back(
-          {static_cast<int>(i), static_cast<int>(k), lines[i].points[k], lines[i].points[k + 1]});
-    }
-  }
-  return SegmentGrid(std::move(segments));
-}
 
 /// Consecutive segments of one line always touch; that is no crossing.
 bool AreNeighbours(const SegmentRef& s, const SegmentRef& t, const ArrangementLine& line) {

@@ -24,13 +24,14 @@ struct ArrangementLine {
 /// How many crossings a drawing may have before it is taken for a scribble.
 inline constexpr int kMaxCrossings = 200'000;
 
-/// Moves ends that are near another line onto it (§4.1: curves are connected at nodes).
+/// Moves ends that are near each other to one place, and others onto the line that they are near
+/// (§4.1: curves are connected at nodes).
 ///
-/// Ends look as far as their line's snap radius, and farther, up to `most`, in a drawing where many
-/// ends miss the line that they are nearest to. What they look as far as is the lines' snap radius
-/// afterwards. An end that already crosses another line within it stays: its overshoot is a spur.
-std::vector<ArrangementLine> SnapEnds(std::vector<ArrangementLine> lines, double diagonal,
-                                      double most);
+/// Ends look as far as their line's snap radius, and farther in a drawing where many ends miss the
+/// line that they are nearest to: there ends that have crossed a line are cut off, too, and lines
+/// are bent from farther off to where their ends are moved. What ends look as far as is the lines'
+/// snap radius afterwards.
+std::vector<ArrangementLine> SnapEnds(std::vector<ArrangementLine> lines, double diagonal);
 
 /// Cuts the lines at their ends, touches and crossings, and removes spurs (dangling pieces shorter
 /// than their line's snap radius).

@@ -99,7 +99,7 @@ Outcome<PlanarMap> BuildPlanarMap(const Sketch& sketch, const BuildPlanarMapOpti
               "the drawing has " + std::to_string(drawn.size()) + " strokes, more than the " +
                   std::to_string(kMaxLines) + " that are read; draw outlines without hatching"));
   }
-  std::vector<ArrangementLine> lines = SnapEnds(drawn, diagonal, options.snap_max * diagonal);
+  std::vector<ArrangementLine> lines = SnapEnds(drawn, diagonal);
   Diagnostics log;
   auto arranged = Arrange(lines, diagonal).MoveInto(log);
   if (!arranged) return Outcome<PlanarMap>::Failure(std::move(log));
