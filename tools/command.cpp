@@ -163,6 +163,7 @@ Model Make(const Job& job, const CommandOptions& options, const Execution& execu
   pipeline->details = any(HoldsDetails) ||
                       pipeline->preview.render.material == Material::kDrawing ||
                       options.write.volume.companions.color;
+  pipeline->keep_level_set = options.write.volume.companions.color;
   pipeline->print_warnings = any(IsPrinted);
   pipeline->print_facts = pipeline->print_warnings || any(is_report);
   WriteOptions write = options.write;

@@ -10,6 +10,7 @@
 #include <new>
 #include <utility>
 
+#include "give_back_memory.h"
 #include "grid.h"
 #include "grid_plugin.h"
 #include "lascaux/skeleton/normalise_outline.h"
@@ -140,13 +141,24 @@ class Run {
       return false;
     model_.grid_facts = FactsOf(grid->surface);
     model_.grid = std::move(grid);
+    GiveBackFromLarge();
     return true;
+  }
+
+  /// What stages give back is kept for the next. Of a large model it would add to the memory that
+  /// is needed most.
+  void GiveBackFromLarge() const {
+    constexpr std::int64_t kLarge = std::int64_t{32} << 20;  // bytes
+    if (model_.grid_facts->bytes > kLarge) GiveBackMemory();
   }
 
   bool MakeMesh() {
     const Stopwatch watch(model_.timings, "mesh");
     execution_.Report("extracting the mesh", 0);
-    return Keep(ExtractMesh(model_.grid->surface, *model_.field, execution_), model_.mesh);
+    if (!Keep(ExtractMesh(model_.grid->surface, *model_.field, execution_), model_.mesh))
+      return false;
+    GiveBackFromLarge();
+    return true;
   }
 
   bool PrepareForPrint() {
@@ -191,10 +203,13 @@ class Run {
     Timings check, others, preview;
     Diagnostics log;
     MeshFacts facts;  // of no concern to the others
+    const Lattice lattice = LatticeOf(model_.grid->surface);
     const auto check_mesh = [&] {
+      // First, for it is large, and often nobody needs it any more.
+      LeaveLevelSet();
       const Stopwatch watch(check, "check");
       facts = options_.faces ? CheckMesh(*model_.mesh, execution_)
-                             : CheckMesh(*model_.mesh, LatticeOf(model_.grid->surface), execution_);
+                             : CheckMesh(*model_.mesh, lattice, execution_);
     };
     // Clay needs no details.
     const bool is_apart = !NeedsOpenVdb(options_.preview.render);
@@ -217,6 +232,11 @@ class Run {
     return !HasError(model_.diagnostics);
   }
 
+  void LeaveLevelSet() {
+    Tell(Ready::kLevelSet);
+    if (!options_.keep_level_set && options_.last != LastStage::kPreview) model_.grid.reset();
+  }
+
   /// All that is said of the mesh, and the files that hold it.
   void MakeDetails(Timings& timings) {
     if (options_.compare) Compare(timings);
@@ -234,7 +254,7 @@ class Run {
   void Tell(Ready ready) {
     if (!beside_check_ || execution_.IsCancelled()) return;
     beside_check_(model_, ready);
-    if (++told_ == 2) beside_check_(model_, Ready::kAll);
+    if (++told_ == 3) beside_check_(model_, Ready::kAll);
   }
 
   void Compare(Timings& timings) {

@@ -27,9 +27,10 @@ enum class LastStage : std::uint8_t {
 
 /// What of a model may be read while it is being checked.
 enum class Ready : std::uint8_t {
-  kMesh,     ///< the level set, and the mesh with its details
-  kPreview,  ///< the preview
-  kAll,      ///< both
+  kLevelSet,  ///< the level set, before all others
+  kMesh,      ///< the mesh with its details
+  kPreview,   ///< the preview
+  kAll,       ///< all of it
 };
 
 /// How the model meets the drawing's outline.
@@ -67,6 +68,7 @@ struct PipelineOptions {
   std::optional<double> voxel_size;  ///< mm; decides instead of the resolution
   PrintOptions print;
   std::optional<std::size_t> faces;  ///< triangles that the mesh may have
+  bool keep_level_set = true;        ///< once Ready::kLevelSet was told of and no stage needs it
   PreviewOptions preview;
   LastStage last = LastStage::kMesh;
   bool compare = true;          ///< the mesh with the drawing

@@ -171,9 +171,12 @@ Diagnostics OutputWriter::TakeLog() {
 }
 
 void OutputWriter::WriteModel(const Model& model, Ready ready, const WriteOptions& options) {
-  const auto needed = [](OutputKind kind) {
+  const auto needed = [&](OutputKind kind) {
     if (kind == OutputKind::k3mf) return Ready::kAll;  // it holds a thumbnail
-    return IsPicture(kind) ? Ready::kPreview : Ready::kMesh;
+    if (IsPicture(kind)) return Ready::kPreview;
+    // Colours are projected with the mesh.
+    const bool alone = kind == OutputKind::kVdb && !options.volume.companions.color;
+    return alone ? Ready::kLevelSet : Ready::kMesh;
   };
   Write(model, options,
         Chosen([&](OutputKind kind) { return IsModel(kind) && needed(kind) == ready; }));

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <mutex>
 #include <new>
+#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -43,6 +45,35 @@ TEST(RunPipeline, GoesAsFarAsItIsAsked) {
   EXPECT_FALSE(understood.grid);
   options.last = LastStage::kPreview;
   EXPECT_TRUE(RunPipeline(kBlob, options).preview);
+}
+
+TEST(RunPipeline, TellsWhatIsReadyBesideTheCheck) {
+  PipelineOptions options = Small();
+  options.keep_level_set = false;
+  for (const LastStage last : {LastStage::kCreature, LastStage::kMesh, LastStage::kPreview}) {
+    options.last = last;
+    std::mutex telling;
+    std::set<Ready> told;
+    const Model model = RunPipeline(kBlob, options, {}, [&](const Model& made, Ready ready) {
+      const std::lock_guard lock(telling);
+      EXPECT_TRUE(told.insert(ready).second);
+      EXPECT_TRUE(made.grid || ready != Ready::kLevelSet);
+      EXPECT_TRUE(made.mesh);
+      EXPECT_TRUE(made.preview || ready == Ready::kLevelSet || ready == Ready::kMesh);
+    });
+    ASSERT_FALSE(HasError(model.diagnostics));
+    switch (last) {
+      case LastStage::kMesh:
+        EXPECT_EQ(told, (std::set{Ready::kLevelSet, Ready::kMesh}));
+        EXPECT_FALSE(model.grid);
+        break;
+      case LastStage::kPreview:
+        EXPECT_EQ(told, (std::set{Ready::kLevelSet, Ready::kMesh, Ready::kPreview, Ready::kAll}));
+        break;
+      default:
+        EXPECT_TRUE(told.empty());
+    }
+  }
 }
 
 TEST(RunPipeline, StopsAtTheFirstErrorAndKeepsWhatWasFound) {
