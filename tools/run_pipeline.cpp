@@ -211,16 +211,17 @@ class Run {
       facts = options_.faces ? CheckMesh(*model_.mesh, execution_)
                              : CheckMesh(*model_.mesh, lattice, execution_);
     };
-    // Clay needs no details.
+    // Clay needs no details. Files of a mesh take long and are written by one thread: not last.
     const bool is_apart = !NeedsOpenVdb(options_.preview.render);
     RunTogether(
-        execution_, check_mesh,
+        execution_,
+        [&] {
+          if (is_apart) MakePreview(preview, log);
+        },
+        check_mesh,
         [&] {
           MakeDetails(others);
           if (!is_apart) MakePreview(preview, log);
-        },
-        [&] {
-          if (is_apart) MakePreview(preview, log);
         });
     model_.facts = facts;
     for (const Timings& timings : {check, others, preview})
