@@ -97,6 +97,11 @@ TEST(Stability, WhatRollsComesToRestWhereItsWeightIsLowest) {
             kFarthestTilt);
 }
 
+TEST(Stability, IsUnknownWhereFacesOfNoSolidNearlyCancel) {
+  const Mesh inside_out = InsideOut(Scaled(Moved(Sphere(4), 5, 0, 0), 1, 1, 1.0001F));
+  EXPECT_FALSE(MeasureStability(Together(Sphere(4), inside_out), 0.1));
+}
+
 TEST(PartOfPoints, IsThePartWhoseOwnFieldCountsMost) {
   ForSeeds(10, [](Random& random) {
     const Field field = RandomCreature(random);

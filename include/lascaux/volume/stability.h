@@ -29,8 +29,9 @@ struct Stability {
 inline constexpr double kFarthestTilt = 45;
 
 /// Vertices at most `contact` above the lowest touch the ground; what does not stand rolls, without
-/// sliding or swinging, over what touches the ground then. Empty for a mesh without volume and for
-/// one with invalid indices or coordinates. Linear, but for sorting the touching vertices: 4 ns a
+/// sliding or swinging, over what touches the ground then. Empty for a mesh without volume, for one
+/// whose centre of mass is outside its bounds (faces of no solid that nearly cancel), and for one
+/// with invalid indices or coordinates. Linear, but for sorting the touching vertices: 4 ns a
 /// vertex, and as much for each half a degree that it rolls.
 std::optional<Stability> MeasureStability(const Mesh& mesh, double contact);
 

@@ -87,6 +87,8 @@ std::optional<Stability> MeasureStability(const Mesh& mesh, double contact) {
   if (!(std::abs(volume) > 0)) return std::nullopt;
   Stability stability;
   stability.center_of_mass = origin + moment / volume;
+  // Where faces of no solid nearly cancel, it is anywhere, or nowhere.
+  if (!box.contains(stability.center_of_mass)) return std::nullopt;
   const Support standing = SupportOf(mesh, stability.center_of_mass, -Vector3d::UnitY(), contact);
   stability.margin = SignedDistanceInside(Vector2d::Zero(), standing.hull);
   stability.tilt = RollToRest(mesh, stability.center_of_mass, standing, contact);
