@@ -69,14 +69,18 @@ TEST(SmallestWall, IsUnknownWithoutSidesAndForBrokenMeshes) {
   EXPECT_FALSE(MeasureStability(mesh, 0.1));
 }
 
-TEST(Stability, ABoxStandsByHalfItsWidthAndABallOnAPointHardly) {
-  // Eight corners of a box of 4 x 2 x 6 around (1, 1, 0).
+/// Eight corners of a box of 4 x 2 x 6 around (1, 1, 0).
+Mesh Box() {
   Mesh box;
   for (int i = 0; i < 8; ++i)
     box.vertices.emplace_back(i & 1 ? 3 : -1, i & 2 ? 2 : 0, i & 4 ? 3 : -3);
   box.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
                    {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-  const auto stability = MeasureStability(box, 0.1);
+  return box;
+}
+
+TEST(Stability, ABoxStandsByHalfItsWidthAndABallOnAPointHardly) {
+  const auto stability = MeasureStability(Box(), 0.1);
   ASSERT_TRUE(stability);
   EXPECT_TRUE(stability->center_of_mass.isApprox(Vector3d(1, 1, 0)));
   EXPECT_NEAR(stability->margin, 2, 1e-6);
@@ -95,6 +99,13 @@ TEST(Stability, WhatRollsComesToRestWhereItsWeightIsLowest) {
   const auto weight = Moved(Scaled(Sphere(3), 0.3F, 0.3F, 0.3F), 1, 0, 0);
   EXPECT_EQ(MeasureStability(Together(Scaled(Sphere(4), 0.2F, 3, 0.2F), weight), 1e-4)->tilt,
             kFarthestTilt);
+}
+
+TEST(Stability, ATiltedBoxComesToRestOnAFaceThatIsLargerThanStepsAreFine) {
+  Mesh box = Box();
+  const Eigen::AngleAxisf turn(10.3F * static_cast<float>(M_PI) / 180, Eigen::Vector3f::UnitZ());
+  for (auto& vertex : box.vertices) vertex = turn * vertex;
+  EXPECT_NEAR(MeasureStability(box, 1e-3)->tilt, 10.3, 0.5);
 }
 
 TEST(Stability, IsUnknownWhereFacesOfNoSolidNearlyCancel) {

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -16,6 +15,8 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kStep = 0.5 * M_PI / 180;  // of rolling
+/// A solid reaches the farthest tilt in a quarter of these steps; what is none may go round.
+constexpr int kMostSteps = 360;
 
 /// What touches the ground, seen along `down` from the centre of mass.
 struct Support {
@@ -29,28 +30,36 @@ Support SupportOf(const Mesh& mesh, const Vector3d& center, const Vector3d& down
   support.down = down;
   support.u = down.unitOrthogonal();
   support.v = down.cross(support.u);
-  double lowest = -std::numeric_limits<double>::infinity();
+  // Once: of places that are far away two results of one formula can be further apart than feet
+  // are from the ground.
+  std::vector<double> depths;
+  depths.reserve(mesh.vertices.size());
   for (const Eigen::Vector3f& p : mesh.vertices)
-    lowest = std::max(lowest, down.dot(p.cast<double>() - center));
+    depths.push_back(down.dot(p.cast<double>() - center));
+  const double lowest = *std::max_element(depths.begin(), depths.end());
   std::vector<Vector2d> feet;
-  for (const Eigen::Vector3f& p : mesh.vertices) {
-    const Vector3d arm = p.cast<double>() - center;
-    if (down.dot(arm) >= lowest - contact)
-      feet.emplace_back(support.u.dot(arm), support.v.dot(arm));
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    if (depths[i] < lowest - contact) continue;
+    const Vector3d arm = mesh.vertices[i].cast<double>() - center;
+    feet.emplace_back(support.u.dot(arm), support.v.dot(arm));
   }
   support.hull = ConvexHull(std::move(feet));
   return support;
 }
 
 /// The solid rolls to where its centre of mass sinks fastest: over the place of the support that is
-/// nearest to below it. Returns the degrees when that is above the support.
+/// nearest to below it. Returns the degrees when that is above the support, or when it would roll
+/// back: it rests between, on a face that is larger than steps are fine.
 double RollToRest(const Mesh& mesh, const Vector3d& center, Support support, double contact) {
   const Vector3d start = support.down;
+  Vector3d last = Vector3d::Zero();
   double angle = 0;
-  while (angle < kFarthestTilt && SignedDistanceInside(Vector2d::Zero(), support.hull) <= 0) {
+  for (int step = 0; step < kMostSteps && angle < kFarthestTilt; ++step) {
+    if (SignedDistanceInside(Vector2d::Zero(), support.hull) > 0) break;
     const Vector2d pivot = NearestOnBorder(Vector2d::Zero(), support.hull);
     const Vector3d towards = pivot.x() * support.u + pivot.y() * support.v;
-    if (!(towards.norm() > 0)) break;
+    if (!(towards.norm() > 0) || towards.dot(last) < 0) break;
+    last = towards;
     const Vector3d down =
         (std::cos(kStep) * support.down - std::sin(kStep) * towards.normalized()).normalized();
     support = SupportOf(mesh, center, down, contact);
