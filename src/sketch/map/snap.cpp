@@ -71,13 +71,14 @@ Polyline Densified(const Polyline& points, double step) {
 }
 
 /// Moves an end, and the stretch before it along, less and less, so that the line's direction
-/// stays. As much as the end is moved goes straight to it, instead of a hook.
+/// stays. As much as the end is moved goes straight to it, instead of a hook; where that is the
+/// whole stretch, all of it.
 void MoveEnd(Polyline& points, const LineEnd& end, const Move& move) {
   if (end.at_back) std::reverse(points.begin(), points.end());
   const double length = Length(points), reach = std::min(move.stretch, 0.5 * length);
   if (reach > 0) {
     const Vector2d by = move.target - points.front();
-    const double hook = std::min(by.norm(), 0.5 * reach);
+    const double hook = reach > by.norm() ? std::min(by.norm(), 0.5 * reach) : reach;
     Polyline moved{move.target};
     double along = hook;
     Vector2d before = PointAtLength(points, hook);
