@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "skeleton/index.h"
+#include "skeleton/inside_test.h"
 
 namespace lascaux {
 namespace {
@@ -131,8 +132,9 @@ std::vector<char> InsideMask(const Graph& graph, const Ring& ring) {
   const int m = static_cast<int>(graph.discs.size());
   std::vector<char> inside(Index(m), 1);
   if (!IsSeparated(graph)) {
+    const InsideTest test(ring);
     for (int v = 0; v < m; ++v)
-      inside[Index(v)] = Contains(ring, graph.discs[Index(v)].position) ? 1 : 0;
+      inside[Index(v)] = test.Contains(graph.discs[Index(v)].position) ? 1 : 0;
     return inside;
   }
   DisjointSets sets(m);
