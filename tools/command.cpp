@@ -163,7 +163,7 @@ Model Make(const Job& job, const CommandOptions& options, const Execution& execu
   pipeline->details = any(HoldsDetails) ||
                       pipeline->preview.render.material == Material::kDrawing ||
                       options.write.volume.companions.color;
-  pipeline->keep_level_set = options.write.volume.companions.color;
+  pipeline->keep_level_set = NeedsOpenVdb(options.write.volume);
   pipeline->print_warnings = any(IsPrinted);
   pipeline->print_facts = pipeline->print_warnings || any(is_report);
   WriteOptions write = options.write;
@@ -173,7 +173,7 @@ Model Make(const Job& job, const CommandOptions& options, const Execution& execu
   model = RunPipeline(*bytes, *pipeline, execution, [&](const Model& made, Ready ready) {
     WriteOptions of_model = write;
     for (auto& entry : HeadMetadata(made)) of_model.metadata.push_back(std::move(entry));
-    if (write.volume.companions.color)
+    if (write.volume.companions.color && ready == Ready::kMesh)
       of_model.metadata.emplace_back("lascaux_colors", made.colors ? "drawing" : "parts");
     writer.WriteModel(made, ready, of_model);
   });

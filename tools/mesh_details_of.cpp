@@ -18,15 +18,24 @@ constexpr int kColorPixels = 768;
 
 }  // namespace
 
-std::vector<MeshPart> FieldPartsOf(const Model& model) {
+std::vector<std::string> FieldPartNamesOf(const Model& model) {
   // MakeField's order: each part of the creature, then its mirror image.
+  std::vector<std::string> names;
+  for (const CreaturePart& part : model.creature->parts) {
+    names.push_back(model.graph->nodes[static_cast<std::size_t>(part.part)].name);
+    if (part.mirrored) names.push_back(names.back() + std::string(kFar));
+  }
+  return names;
+}
+
+std::vector<MeshPart> FieldPartsOf(const Model& model) {
+  const std::vector<std::string> names = FieldPartNamesOf(model);
   std::vector<MeshPart> parts;
   int colors = 0;
   for (const CreaturePart& part : model.creature->parts) {
-    const std::string& name = model.graph->nodes[static_cast<std::size_t>(part.part)].name;
     const Srgb8 color = model.colors ? model.colors->OfPart(parts.size()) : PartColor(colors++);
-    parts.push_back({name, color});
-    if (part.mirrored) parts.push_back({name + std::string(kFar), color});
+    parts.push_back({names[parts.size()], color});
+    if (part.mirrored) parts.push_back({names[parts.size()], color});
   }
   return parts;
 }

@@ -12,6 +12,9 @@
 
 namespace lascaux {
 
+/// Names of the field's parts, in its order. Colours are not looked at.
+std::vector<std::string> FieldPartNamesOf(const Model& model);
+
 /// Name and colour of each part of the field, in its order: names are the report's, with "-far" for
 /// mirror images; a limb and its mirror image have one colour, the drawing's if the model has its
 /// colours, else PartColor().

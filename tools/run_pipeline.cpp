@@ -314,8 +314,6 @@ class Run {
     const auto& plugin = LoadGridPlugin();
     if (!plugin) return Outcome<std::vector<Picture>>::Failure(plugin.diagnostics());
     const std::vector<MeshPart> parts = FieldPartsOf(model_);
-    std::vector<std::string> names;
-    for (const MeshPart& part : parts) names.push_back(part.name);
     const ModelVolume volume{model_.grid->surface,
                              *model_.field,
                              parts,
@@ -323,7 +321,7 @@ class Run {
                              {},
                              UpAxis::kY,
                              model_.colors ? &*model_.colors : nullptr};
-    return (*plugin)->render(volume, PaletteOf(names), shots, execution_);
+    return (*plugin)->render(volume, PaletteOf(FieldPartNamesOf(model_)), shots, execution_);
   }
 
   std::string_view bytes_;

@@ -27,7 +27,7 @@ enum class LastStage : std::uint8_t {
 
 /// What of a model may be read while it is being checked.
 enum class Ready : std::uint8_t {
-  kLevelSet,  ///< the level set, before all others
+  kLevelSet,  ///< the level set, before all others; details and colours may be in the making
   kMesh,      ///< the mesh with its details
   kPreview,   ///< the preview
   kAll,       ///< all of it

@@ -42,10 +42,10 @@ std::string VolumeBeside(const std::vector<OutputTarget>& targets, const fs::pat
 }
 
 /// "body,limb-1,limb-1-far": the index of a name is the number of the part.
-std::string NamesOf(const std::vector<MeshPart>& parts) {
-  std::string names;
-  for (const MeshPart& part : parts) names += (names.empty() ? "" : ",") + part.name;
-  return names;
+std::string Joined(const std::vector<std::string>& names) {
+  std::string joined;
+  for (const std::string& name : names) joined += (joined.empty() ? "" : ",") + name;
+  return joined;
 }
 
 /// The writers of a run's files.
@@ -89,14 +89,14 @@ struct Writer {
 
   Diagnostics WriteVolume(const fs::path& path) const {
     const VolumeOptions& volume = options.volume;
-    const std::vector<MeshPart> parts = FieldPartsOf(model);
     WriteVdbOptions file{options.unit, volume.up, volume.floats, options.metadata};
-    file.metadata.emplace_back("lascaux_parts", NamesOf(parts));
+    file.metadata.emplace_back("lascaux_parts", Joined(FieldPartNamesOf(model)));
     if (!NeedsOpenVdb(volume)) {
       const NarrowBand& surface = model.grid->surface;
       if (volume.up == UpAxis::kZ) return WriteBandVdb(path, TurnedZUp(surface), file);
       return WriteBandVdb(path, surface, file);
     }
+    const std::vector<MeshPart> parts = FieldPartsOf(model);
     const ModelVolume contents{model.grid->surface,
                                *model.field,
                                parts,
@@ -174,8 +174,8 @@ void OutputWriter::WriteModel(const Model& model, Ready ready, const WriteOption
   const auto needed = [&](OutputKind kind) {
     if (kind == OutputKind::k3mf) return Ready::kAll;  // it holds a thumbnail
     if (IsPicture(kind)) return Ready::kPreview;
-    // Colours are projected with the mesh.
-    const bool alone = kind == OutputKind::kVdb && !options.volume.companions.color;
+    // More grids than the surface may show the drawing's colours, which come with the details.
+    const bool alone = kind == OutputKind::kVdb && !NeedsOpenVdb(options.volume);
     return alone ? Ready::kLevelSet : Ready::kMesh;
   };
   Write(model, options,

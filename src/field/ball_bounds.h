@@ -1,6 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "compiled_data.h"
 
@@ -19,6 +22,23 @@ inline Range Ricci(const Range& a, const Range& b, const RicciExponent& n) {
     return high > 0 ? high * n.Root(1 + n.Power(std::min(x, y) / high)) : 0;
   };
   return {blend(a.lower, b.lower), blend(a.upper, b.upper)};
+}
+
+/// Each part that reaches the balls (a `part`, what it has by itself as `own`) blended with its
+/// parent, which comes before it: sets `parent`, its place in the list, and `branch`.
+template <typename Reached, typename Blend>
+void BlendWithParents(std::vector<Reached>& reached, const CompiledField::Data& data,
+                      const Blend& blend) {
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    Reached& here = reached[i];
+    here.branch = here.own;
+    const int parent = data.parts[here.part].parent;
+    for (std::size_t k = 0; parent >= 0 && k < i; ++k) {
+      if (reached[k].part != static_cast<std::uint32_t>(parent)) continue;
+      here.parent = static_cast<int>(k);
+      here.branch = blend(here.own, reached[k].own, data.part_exponent);
+    }
+  }
 }
 
 /// What is known of a tip's last piece, whose field has no bound at the tip: more than any other

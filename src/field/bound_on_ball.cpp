@@ -176,16 +176,9 @@ void BallPass::EndPart() {
 }
 
 BallBounds BallPass::Finish() {
+  internal::BlendWithParents(reached_, data_, internal::Ricci);
   Range all{};
-  for (std::size_t i = 0; i < reached_.size(); ++i) {
-    Reached& here = reached_[i];
-    here.branch = here.own;
-    const int parent = data_.parts[here.part].parent;
-    for (std::size_t k = 0; parent >= 0 && k < i; ++k) {
-      if (reached_[k].part != static_cast<std::uint32_t>(parent)) continue;
-      here.parent = static_cast<int>(k);
-      here.branch = Ricci(here.own, reached_[k].own, data_.part_exponent);
-    }
+  for (const Reached& here : reached_) {
     all.lower = std::max(all.lower, here.branch.lower);
     all.upper = std::max(all.upper, here.branch.upper);
   }

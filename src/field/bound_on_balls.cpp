@@ -97,7 +97,6 @@ class BallsPass {
   internal::KernelBounds BoundsOf(const CompiledPrimitive& primitive) const;
   void EndChain();
   void EndPart();
-  void Blend();
   void Finish();
 
   const CompiledField::Data& data_;
@@ -265,22 +264,8 @@ void BallsPass::EndPart() {
   has_begun_ = has_chain_ = false;
 }
 
-/// With parents, which come first.
-void BallsPass::Blend() {
-  for (std::size_t i = 0; i < reached_.size(); ++i) {
-    Reached& here = reached_[i];
-    here.branch = here.own;
-    const int parent = data_.parts[here.part].parent;
-    for (std::size_t k = 0; parent >= 0 && k < i; ++k) {
-      if (reached_[k].part != static_cast<std::uint32_t>(parent)) continue;
-      here.parent = static_cast<int>(k);
-      here.branch = Blended(here.own, reached_[k].own, data_.part_exponent);
-    }
-  }
-}
-
 void BallsPass::Finish() {
-  Blend();
+  internal::BlendWithParents(reached_, data_, Blended);
   constexpr auto kSlack = static_cast<float>(kBoundSlack);
   LaneRanges all;
   for (const Reached& here : reached_) {

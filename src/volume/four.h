@@ -10,10 +10,10 @@
 #include <emmintrin.h>
 #endif
 
+#include "volume/inline.h"
+
 /// @file
 /// Four numbers as a vector, in the notation that g++ and clang share: one register everywhere.
-
-#define LASCAUX_INLINE [[gnu::always_inline]] inline
 
 namespace lascaux {
 

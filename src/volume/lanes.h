@@ -9,13 +9,12 @@
 #include <emmintrin.h>
 #endif
 
+#include "volume/inline.h"
+
 /// @file
 /// Lines of eight voxels as vectors, in the notation that g++ and clang share: one register with
 /// AVX2, two without. All of it is inlined, so that sources may compile it for several instruction
 /// sets.
-
-// What is compiled twice must be inlined into both.
-#define LASCAUX_INLINE [[gnu::always_inline]] inline
 
 namespace lascaux {
 

@@ -1,5 +1,7 @@
 #include "sketch/drawings.h"
 
+#include <algorithm>
+
 namespace lascaux::testing {
 
 using Eigen::Vector2d;
@@ -31,6 +33,11 @@ Stroke Circle(const Vector2d& center, double radius) {
   stroke.closed = true;
   stroke.width = 1;
   return stroke;
+}
+
+int Count(const PlanarMap& map, CycleKind kind) {
+  return static_cast<int>(std::count_if(map.cycles.begin(), map.cycles.end(),
+                                        [&](const MapCycle& c) { return c.kind == kind; }));
 }
 
 Sketch SketchOf(std::initializer_list<Stroke> strokes) { return {strokes}; }

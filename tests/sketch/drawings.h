@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "lascaux/sketch/planar_map.h"
 #include "lascaux/sketch/sketch.h"
 
 /// @file
@@ -20,6 +21,9 @@ Stroke Straight(const Points& points);
 Stroke Loop(Points points);
 /// A circle of four cubic Béziers.
 Stroke Circle(const Eigen::Vector2d& center, double radius);
+
+/// How many of a map's cycles are of this kind.
+int Count(const PlanarMap& map, CycleKind kind);
 
 Sketch SketchOf(std::initializer_list<Stroke> strokes);
 

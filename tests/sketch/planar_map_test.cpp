@@ -16,11 +16,6 @@ namespace {
 using namespace testing;
 using Eigen::Vector2d;
 
-int Count(const PlanarMap& map, CycleKind kind) {
-  return static_cast<int>(std::count_if(map.cycles.begin(), map.cycles.end(),
-                                        [&](const MapCycle& c) { return c.kind == kind; }));
-}
-
 double LargestArea(const PlanarMap& map) {
   double largest = 0;
   for (const MapCycle& cycle : map.cycles) largest = std::max(largest, cycle.area);

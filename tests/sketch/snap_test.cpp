@@ -16,11 +16,6 @@ namespace {
 using namespace testing;
 using Eigen::Vector2d;
 
-int Count(const PlanarMap& map, CycleKind kind) {
-  return static_cast<int>(std::count_if(map.cycles.begin(), map.cycles.end(),
-                                        [&](const MapCycle& c) { return c.kind == kind; }));
-}
-
 bool HasGap(const Diagnostics& diagnostics) {
   return std::any_of(diagnostics.begin(), diagnostics.end(),
                      [](const Diagnostic& d) { return d.code == "gap-closed"; });

@@ -8,10 +8,6 @@
 /// @file
 /// Eight places at once, for the inner loops of rays.
 
-/// For lambdas, behind their parameters. One that is not inlined and gives or takes vectors would
-/// be called in another way than it was compiled for.
-#define LASCAUX_INLINED __attribute__((always_inline))
-
 namespace lascaux {
 
 using LaneIndex [[gnu::vector_size(4 * kLanes)]] = std::int32_t;
